@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "puadem/coupling/case.hpp"
+#include "puadem/coupling/state.hpp"
+
+namespace puadem {
+
+/// Where a run stands, for a progress line.
+struct Progress {
+  std::string_view stage;     ///< "compact", "network", "retention"
+  double fraction = 0.0;      ///< of the stage, in [0, 1], as well as it is known
+  long step = 0;
+  double time = 0.0;          ///< [s] simulated
+  double saturation = 1.0;    ///< S_r [-]
+  double unbalanced = 0.0;    ///< unbalanced force ratio [-]
+  double capillary_pressure = 0.0;  ///< [Pa]
+};
+
+/// Watches a run. Every call gets the state as const: output cannot change physics. Empty functions
+/// are skipped. `progress` returning false asks the run to stop at the next safe place.
+struct Observer {
+  std::function<bool(const Progress&)> progress;
+  std::function<void(std::string_view)> message;
+  std::function<void(const State&)> packed;                              ///< packing and network are made
+  std::function<void(const State&, const RetentionRow&)> equilibrium;    ///< one retention row is reached
+  std::function<void(const State&, const InvasionEvent&)> event;         ///< one invasion event has happened
+};
+
+/// Fluid volumes that a stage moved, summed event by event, against what the state holds.
+struct Ledger {
+  double void_volume = 0;        ///< of the counted pores [m3]
+  double wetting_start = 0, wetting_in = 0, wetting_out = 0, wetting_end = 0;              ///< [m3]
+  double nonwetting_start = 0, nonwetting_in = 0, nonwetting_out = 0, nonwetting_end = 0;  ///< [m3]
+  /// (start + in - out - end) / void [-].
+  double wetting_error() const { return (wetting_start + wetting_in - wetting_out - wetting_end) / void_volume; }
+  double nonwetting_error() const { return (nonwetting_start + nonwetting_in - nonwetting_out - nonwetting_end) / void_volume; }
+};
+
+/// What a run found, by name, for the report, the manifest and the bounds of `[expected]`.
+struct RunResults {
+  std::map<std::string, double> scalars;  ///< "porosity_core", "pc_star_half_drainage-1", ...
+  Ledger ledger;
+};
+
+/// All stages of a case.
+/// @throws InputError, NumericalError
+RunResults run(const Case& c, State& state, const Observer& observer);
+
+}  // namespace puadem

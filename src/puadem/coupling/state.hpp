@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "puadem/dem/particles.hpp"
+#include "puadem/flow/retention_curve.hpp"
+#include "puadem/geometry/domain.hpp"
+#include "puadem/network/pore_network.hpp"
+
+namespace puadem {
+
+/// A simulation: plain values, so that saving, copying and comparing it is saving, copying and
+/// comparing a value.
+struct State {
+  double time = 0.0;                 ///< [s]
+  Domain domain;
+  Particles particles;
+  PoreNetwork network;               ///< empty until a stage needs it
+  std::vector<double> saturation;    ///< per pore, wetting fluid [-]
+  std::vector<RetentionRow> retention;  ///< equilibria so far
+};
+
+}  // namespace puadem
