@@ -1,0 +1,75 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "puadem/coupling/run.hpp"
+#include "puadem/io/safe_file.hpp"
+
+namespace puadem {
+
+/// The folder of one run, and what must be remembered between calls of the observer. It must outlive
+/// the observer that writes into it.
+///
+/// Whole files are written beside their place and renamed; series grow line by line and are cut back
+/// to their last whole line where a write fails. Nothing half-written is ever seen.
+struct ResultsFolder {
+  std::filesystem::path path;
+  std::string case_text;              ///< the case file, as given
+  std::string resolved_text;          ///< the same in SI units
+  std::vector<std::string> warnings;  ///< messages that begin with "warning: ", without that word
+
+  // Progress of the recording.
+  std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+  std::string started_utc;                              ///< ISO 8601
+  std::optional<std::filesystem::path> created_parent;  ///< topmost folder made for this run
+  std::string previous_latest;                          ///< what `latest` pointed to before; empty: nothing
+  bool linked = false;                                  ///< `latest` was set to this run
+  bool has_result = false;                              ///< a packing or an equilibrium is on disk
+  std::vector<std::uint8_t> open_throats;               ///< by replay of the invasion events
+  struct Frame {
+    double time;  ///< [s], or the number of the equilibrium
+    std::string file;
+  };
+  std::vector<Frame> pore_frames, throat_frames, grain_frames;
+  AppendFile log, progress, retention, events, compaction;
+  std::chrono::steady_clock::time_point last_progress{};
+};
+
+/// Makes the folder of a run and writes case.toml and case.resolved.toml into it.
+///
+/// @param case_text      the case file as read
+/// @param resolved_text  its SI copy
+/// @param output         the folder itself; none: runs/<UTC time>_<name>_<hash of the resolved case> under
+///                       the working directory, with runs/latest pointing to it
+/// @param name           for the folder's name; empty: from the title
+/// @throws InputError  where the folder exists and is not empty, or cannot be written: a run never
+///                     overwrites another
+ResultsFolder open_results(const Case& c, const std::string& case_text, std::string resolved_text,
+                           std::optional<std::filesystem::path> output, const std::string& name = {});
+
+/// Writes log.txt, progress.jsonl, series/ and fields/ as the run goes on. A message that begins with
+/// "warning: " goes into the manifest and the report too. Progress always asks to go on: combine it
+/// with an observer of your own to stop a run or to draw a progress line.
+/// @throws InputError (from its calls) where the disk is full or the folder is gone
+Observer recording_observer(ResultsFolder& folder, const Case& c);
+
+/// Writes manifest.json and report.html and closes the series. A run that failed before its first
+/// result leaves no folder behind; any other keeps what is whole.
+///
+/// @param results        null where the run ended early
+/// @param exit_code      of the program, see product documentation: 0 ok, 1 input, 2 physics, 3 interrupted
+/// @param error_message  why it ended; empty for exit code 0
+/// @throws InputError where the disk is full; what is on disk by then is whole
+void finish_results(ResultsFolder& folder, const Case& c, const State& state, const RunResults* results, int exit_code,
+                    const std::string& error_message);
+
+/// True where every bound of `[expected]` holds; a name that the results do not have counts as failed.
+bool expected_bounds_hold(const Case& c, const RunResults& results);
+
+}  // namespace puadem

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace puadem {
+
+/// Writes a whole file: into a temporary neighbour first, renamed when it is complete.
+/// @throws InputError naming path, reason and remedy; the temporary file is removed
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// The whole file as bytes. @throws InputError where it cannot be read
+std::string read_file(const std::filesystem::path& path);
+
+/// A file that only grows. Each `append` reaches the file whole or not at all: where a write fails, the
+/// file is cut back to its last good length.
+class AppendFile {
+ public:
+  AppendFile() = default;
+  /// Opens a new, empty file. @throws InputError
+  explicit AppendFile(const std::filesystem::path& path);
+
+  bool is_open() const { return file_ != nullptr; }
+  /// Buffers text; it reaches the disk at the next `flush` or when the buffer is large.
+  /// @throws InputError where the disk is full
+  void append(std::string_view text);
+  void flush();
+  void close();
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* f) const { std::fclose(f); }
+  };
+  std::unique_ptr<std::FILE, Closer> file_;
+  std::filesystem::path path_;
+  std::string buffer_;
+  std::uintmax_t length_ = 0;  // bytes known to be on disk
+};
+
+}  // namespace puadem
