@@ -170,32 +170,45 @@ class Builder {
     return Site::grain(centre_[to_size(v.index)] + move, radius_[to_size(v.index)]);
   }
 
-  /// Halo at which no image left out could change a cell that touches an owned grain [m]: the
-  /// orthosphere of every such cell, widened by the largest grain, must lie inside the images.
-  double needed_halo() {
+  /// Halo at which no image left out could change a cell that touches an owned grain, or one beside it
+  /// [m]: the orthosphere of every such cell, widened by the largest grain, must lie inside the images.
+  double needed_halo() const {
     double needed = 0.0;
-    for (auto cell = regular_.all_cells_begin(); cell != regular_.all_cells_end(); ++cell) {
-      if (regular_.is_infinite(cell)) {
-        for (int k = 0; k < 4; ++k)
-          if (!regular_.is_infinite(cell->vertex(k)) && !cell->vertex(k)->info().is_wall() && cell->vertex(k)->info().shift == Shift{})
-            return std::numeric_limits<double>::infinity();
-        continue;
-      }
-      const CellVertices vertices = vertices_of(cell);
-      if (!has_owned_grain(vertices)) continue;
-      std::array<Site, 4> sites;
-      for (unsigned k = 0; k < 4; ++k) sites[k] = site(vertices[k]);
-      const auto centre = power_centre(sites);
-      if (!centre) continue;  // flat: its neighbours' orthospheres bound its own
-      const unsigned grain = vertices[3].is_wall() ? first_grain(vertices) : 3;
-      const double power = squared_norm(*centre - sites[grain].centre) - sites[grain].radius * sites[grain].radius;
-      const double reach = std::sqrt(std::max(0.0, power + largest_radius_ * largest_radius_));
-      for (int axis = 0; axis < 3; ++axis) {
-        if (!domain_.periodic[to_size(axis)]) continue;
-        needed = std::max({needed, domain_.lower[axis] - (*centre)[axis] + reach, (*centre)[axis] + reach - domain_.upper[axis]});
+    for (auto cell = regular_.finite_cells_begin(); cell != regular_.finite_cells_end(); ++cell) {
+      if (!has_owned_grain(vertices_of(cell))) continue;
+      needed = std::max(needed, reach_beyond_box(cell));
+      for (int k = 0; k < 4; ++k) {
+        const auto other = cell->neighbor(k);
+        if (regular_.is_infinite(other)) {
+          const bool only_walls = [&] {
+            for (int v = 0; v < 4; ++v)
+              if (v != k && !cell->vertex(v)->info().is_wall()) return false;
+            return true;
+          }();
+          if (!only_walls) return std::numeric_limits<double>::infinity();
+        } else if (!has_owned_grain(vertices_of(other)) && has_grain(vertices_of(other))) {
+          needed = std::max(needed, reach_beyond_box(other));
+        }
       }
     }
     return needed;
+  }
+
+  /// How far the orthosphere of a cell, widened by the largest grain, leaves the box along periodic axes [m].
+  double reach_beyond_box(Regular::Cell_handle cell) const {
+    const CellVertices vertices = vertices_of(cell);
+    std::array<Site, 4> sites;
+    for (unsigned k = 0; k < 4; ++k) sites[k] = site(vertices[k]);
+    const auto centre = power_centre(sites);
+    if (!centre) return 0.0;  // flat: the orthospheres of its neighbours bound its own
+    const Site& grain = sites[first_grain(vertices)];
+    const double power = squared_norm(*centre - grain.centre) - grain.radius * grain.radius;
+    const double reach = std::sqrt(std::max(0.0, power + largest_radius_ * largest_radius_));
+    double beyond = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (domain_.periodic[to_size(axis)])
+        beyond = std::max({beyond, domain_.lower[axis] - (*centre)[axis] + reach, (*centre)[axis] + reach - domain_.upper[axis]});
+    return beyond;
   }
 
   static unsigned first_grain(const CellVertices& vertices) {

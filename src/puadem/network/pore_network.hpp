@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "puadem/base/csr.hpp"
@@ -48,5 +49,8 @@ struct PoreNetwork {
   int pores() const { return size_of(pore_volume); }
   int throats() const { return size_of(throat_pores); }
 };
+
+/// Throats of each pore, ascending; a throat from a pore to its own image is listed once.
+Csr throats_of_pores(std::span<const std::array<int, 2>> throat_pores, int pores);
 
 }  // namespace puadem

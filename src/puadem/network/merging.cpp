@@ -1,0 +1,219 @@
+#include "puadem/network/merging.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "puadem/base/error.hpp"
+#include "puadem/base/parallel.hpp"
+#include "puadem/network/pore_shape.hpp"
+
+namespace puadem {
+
+namespace {
+
+using Shift = std::array<std::int8_t, 3>;
+
+Shift combine(const Shift& a, const Shift& b, const Shift& minus) {
+  Shift result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = static_cast<std::int8_t>(a[k] + b[k] - minus[k]);
+  return result;
+}
+
+/// Units while they grow. A unit lists its cells and every facet that touches it from either side.
+struct Units {
+  std::span<const Facet> facets;
+  std::vector<int> unit;                     // of each cell
+  std::vector<Shift> cell_shift;             // of each cell in its unit's frame
+  std::vector<std::vector<int>> cells;       // of each unit; empty once merged into another
+  std::vector<std::vector<int>> facet_list;  // of each unit
+  std::vector<double> volume, radius;
+  std::vector<int> wall_faces, faces;
+
+  int across(int u, const Facet& f) const {
+    const int a = unit[to_size(f.cell)], b = unit[to_size(f.neighbour)];
+    return a == u ? b : a;
+  }
+  /// A facet inside one unit; one that leads to the unit's own image is a throat still.
+  bool is_inside(const Facet& f) const {
+    return unit[to_size(f.cell)] == unit[to_size(f.neighbour)] &&
+           combine(cell_shift[to_size(f.cell)], f.shift, cell_shift[to_size(f.neighbour)]) == Shift{};
+  }
+};
+
+struct Worst {
+  double ratio = -1.0;
+  int facet = -1;
+};
+
+class Merger {
+ public:
+  Merger(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
+         std::span<const double> wide, const MergeOptions& options)
+      : wide_(wide), options_(options) {
+    units_.facets = facets;
+    units_.unit.resize(to_size(cells));
+    std::iota(units_.unit.begin(), units_.unit.end(), 0);
+    units_.cell_shift.resize(to_size(cells));
+    units_.cells.resize(to_size(cells));
+    units_.facet_list.resize(to_size(cells));
+    units_.volume.assign(cell_void.begin(), cell_void.end());
+    units_.faces.assign(cell_faces.begin(), cell_faces.end());
+    units_.wall_faces = units_.faces;
+    units_.radius.resize(to_size(cells));
+    for (int c = 0; c < cells; ++c) units_.cells[to_size(c)] = {c};
+    for (int f = 0; f < size_of(facets); ++f) {
+      const auto& [a, b, shift, opposite] = facets[to_size(f)];
+      units_.facet_list[to_size(a)].push_back(f);
+      --units_.wall_faces[to_size(a)];
+      if (b != a) units_.facet_list[to_size(b)].push_back(f);
+      --units_.wall_faces[to_size(b)];
+    }
+    // Void of a cell that is flat or filled by overlapping grains: nil beside the mean cell.
+    const double mean = std::accumulate(cell_void.begin(), cell_void.end(), 0.0) / std::max(cells, 1);
+    ensure(mean > 0.0, "the packing has no void at all: the grains overlap too far");
+    nil_volume_ = 1e-9 * mean;
+    for (int c = 0; c < cells; ++c) update_radius(c);
+  }
+
+  MergedCells merge() {
+    const int cells = size_of(units_.unit);
+    worst_.resize(to_size(cells));
+    std::vector<int> dirty(to_size(cells));
+    std::iota(dirty.begin(), dirty.end(), 0);
+    while (!dirty.empty()) {
+      parallel_for(size_of(dirty), [&](int k) { worst_[to_size(dirty[to_size(k)])] = find_worst(dirty[to_size(k)]); });
+      dirty = merge_mutual_worst(dirty);
+    }
+    return result();
+  }
+
+ private:
+  bool is_nil(int u) const { return units_.volume[to_size(u)] <= nil_volume_; }
+
+  void update_radius(int u) {
+    units_.radius[to_size(u)] =
+        is_nil(u) ? 0.0 : inscribed_radius_coefficient(units_.faces[to_size(u)]) * std::cbrt(units_.volume[to_size(u)]);
+  }
+
+  double ratio(int u, int v, int facet) const {
+    const double smaller = std::min(units_.radius[to_size(u)], units_.radius[to_size(v)]);
+    return smaller > 0.0 ? wide_[to_size(facet)] / smaller : std::numeric_limits<double>::infinity();
+  }
+
+  Worst find_worst(int u) const {
+    Worst worst;
+    for (const int f : units_.facet_list[to_size(u)]) {
+      const int v = units_.across(u, units_.facets[to_size(f)]);
+      if (v == u) continue;
+      const double r = ratio(u, v, f);
+      const bool must = std::isinf(r);
+      if (!must && (r <= options_.ratio || size_of(units_.cells[to_size(u)]) + size_of(units_.cells[to_size(v)]) > options_.limit))
+        continue;
+      const double wide = wide_[to_size(f)], worst_wide = worst.facet < 0 ? -1.0 : wide_[to_size(worst.facet)];
+      if (r > worst.ratio || (r == worst.ratio && (wide > worst_wide || (wide == worst_wide && f < worst.facet)))) worst = {r, f};
+    }
+    return worst;
+  }
+
+  /// Merges over every facet that is the worst of both its units; returns the units to look at again.
+  std::vector<int> merge_mutual_worst(const std::vector<int>& dirty) {
+    std::vector<int> chosen;
+    for (const int u : dirty) {
+      const int f = worst_[to_size(u)].facet;
+      if (f >= 0 && worst_[to_size(units_.across(u, units_.facets[to_size(f)]))].facet == f) chosen.push_back(f);
+    }
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    std::vector<int> merged;
+    for (const int f : chosen) merged.push_back(merge_over(f));
+
+    std::vector<int> again;
+    for (const int u : merged) {
+      again.push_back(u);
+      for (const int f : units_.facet_list[to_size(u)]) again.push_back(units_.across(u, units_.facets[to_size(f)]));
+    }
+    std::sort(again.begin(), again.end());
+    again.erase(std::unique(again.begin(), again.end()), again.end());
+    return again;
+  }
+
+  int merge_over(int facet) {
+    const Facet& f = units_.facets[to_size(facet)];
+    int keep = units_.unit[to_size(f.cell)], gone = units_.unit[to_size(f.neighbour)];
+    // Moves the frame of the vanishing unit so that the two cells of the facet lie side by side.
+    Shift move = combine(units_.cell_shift[to_size(f.cell)], f.shift, units_.cell_shift[to_size(f.neighbour)]);
+    if (gone < keep) {
+      std::swap(keep, gone);
+      for (auto& s : move) s = static_cast<std::int8_t>(-s);
+    }
+    for (const int c : units_.cells[to_size(gone)]) {
+      units_.unit[to_size(c)] = keep;
+      for (std::size_t k = 0; k < 3; ++k)
+        units_.cell_shift[to_size(c)][k] = static_cast<std::int8_t>(units_.cell_shift[to_size(c)][k] + move[k]);
+    }
+    auto &cells = units_.cells[to_size(keep)], &old_cells = units_.cells[to_size(gone)];
+    cells.insert(cells.end(), old_cells.begin(), old_cells.end());
+    old_cells.clear();
+    auto &list = units_.facet_list[to_size(keep)], &old_list = units_.facet_list[to_size(gone)];
+    list.insert(list.end(), old_list.begin(), old_list.end());
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    old_list.clear();
+    units_.volume[to_size(keep)] += units_.volume[to_size(gone)];
+    units_.wall_faces[to_size(keep)] += units_.wall_faces[to_size(gone)];
+    std::erase_if(list, [&](int k) { return units_.is_inside(units_.facets[to_size(k)]); });
+    int bounding = units_.wall_faces[to_size(keep)];
+    for (const int k : list)  // a facet to the unit's own image bounds it on two sides
+      bounding += units_.across(keep, units_.facets[to_size(k)]) == keep ? 2 : 1;
+    units_.faces[to_size(keep)] = bounding;
+    update_radius(keep);
+    return keep;
+  }
+
+  MergedCells result() const {
+    MergedCells merged;
+    merged.unit.resize(units_.unit.size());
+    merged.cell_shift = units_.cell_shift;
+    std::vector<int> number(units_.unit.size(), -1);
+    for (int c = 0; c < size_of(units_.unit); ++c) {
+      const int u = units_.unit[to_size(c)];
+      if (number[to_size(u)] < 0) {
+        ensure(!is_nil(u), "the pore of tetrahedron {} has no void and no neighbour to join: the grains around it overlap too far", c);
+        number[to_size(u)] = merged.units++;
+      }
+      merged.unit[to_size(c)] = number[to_size(u)];
+    }
+    return merged;
+  }
+
+  Units units_;
+  std::span<const double> wide_;
+  MergeOptions options_;
+  double nil_volume_ = 0.0;
+  std::vector<Worst> worst_;
+};
+
+}  // namespace
+
+std::vector<Facet> find_facets(const Triangulation& triangulation) {
+  std::vector<Facet> facets;
+  facets.reserve(2 * to_size(triangulation.cells()));
+  for (int t = 0; t < triangulation.cells(); ++t)
+    for (std::int8_t k = 0; k < 4; ++k) {
+      const auto& [cell, shift] = triangulation.neighbours[to_size(t)][static_cast<std::size_t>(k)];
+      if (cell > t || (cell == t && shift > Shift{})) facets.push_back({t, cell, shift, k});
+    }
+  return facets;
+}
+
+MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
+                        std::span<const double> wide, const MergeOptions& options) {
+  MergedCells merged = Merger(cells, facets, cell_void, cell_faces, wide, options).merge();
+  const double mean = std::accumulate(cell_void.begin(), cell_void.end(), 0.0) / std::max(cells, 1);
+  merged.forced = static_cast<int>(std::count_if(cell_void.begin(), cell_void.end(), [&](double v) { return v <= 1e-9 * mean; }));
+  return merged;
+}
+
+}  // namespace puadem

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "puadem/geometry/regular_triangulation.hpp"
+
+namespace puadem {
+
+/// A facet between two cells of a triangulation, listed once.
+struct Facet {
+  int cell = 0, neighbour = 0;         ///< the normal points from the first to the second
+  std::array<std::int8_t, 3> shift{};  ///< the neighbour is moved by this many periods
+  std::int8_t opposite = 0;            ///< vertex of `cell` opposite the facet
+};
+
+/// Facets of a triangulation: of a pair of cells the lower one lists it; between a cell and its own
+/// image the positive direction does. Ascending by (cell, opposite).
+std::vector<Facet> find_facets(const Triangulation& triangulation);
+
+struct MergeOptions {
+  double ratio = 0.9;  ///< merge where R_ij / min(R_i, R_j) exceeds it; infinity: only what must merge
+  int limit = 20;      ///< most cells in one unit
+};
+
+/// Partition of the cells into pore units.
+struct MergedCells {
+  std::vector<int> unit;                              ///< of each cell; units are numbered by their lowest cell
+  std::vector<std::array<std::int8_t, 3>> cell_shift;  ///< where a cell lies in the frame of its unit, in periods
+  int units = 0;
+  int forced = 0;                                     ///< cells without void of their own that had to join a neighbour
+};
+
+/// Joins cells to pore units, worst throat first (theory 3.7). In each round every facet that is the
+/// worst of both its units merges them; worst is the largest R_ij / min(R_i, R_j), then the largest
+/// R_ij, then the lowest facet. So the order is local: it does not depend on threads or on how the cells
+/// are spread. A cell whose void volume is nil to rounding always joins a neighbour.
+///
+/// @param cell_void   void volume per cell [m3]
+/// @param cell_faces  facets and wall faces per cell
+/// @param wide        R_ij = 2 gamma / p_e = 2 r* per facet [m]
+MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
+                        std::span<const double> wide, const MergeOptions& options);
+
+}  // namespace puadem
