@@ -1,16 +1,18 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <vector>
 
+#include "puadem/flow/fluid_clusters.hpp"
+#include "puadem/flow/fluid_ledger.hpp"
 #include "puadem/flow/fluids.hpp"
+#include "puadem/flow/retention_law.hpp"
 #include "puadem/network/pore_network.hpp"
 
 namespace puadem {
 
-/// Rules of the quasi-static invasion (docs/theory.md 4). Defaults follow the paper.
+/// Rules of the quasi-static invasion (theory 4.4). Defaults follow the paper.
 struct InvasionOptions {
   int nonwetting_face = 5;      ///< box face whose pores belong to the non-wetting reservoir (top)
   int wetting_face = 4;         ///< box face whose pores belong to the wetting reservoir (bottom)
@@ -20,26 +22,102 @@ struct InvasionOptions {
   bool corner_films = false;    ///< corner water connects through open throats
   bool corner_water = true;     ///< an invaded unit keeps the water of the local retention law; else none
   bool wall_throats = true;     ///< throats along walls may be invaded
+  AnyRetentionLaw retention_law = ExponentialRetention{};
 };
 
 enum class InvasionEventKind : std::uint8_t {
-  drain,          ///< the non-wetting fluid enters a saturated unit
-  open_throat,    ///< the non-wetting fluid joins two units it already holds
-  fill,           ///< the wetting fluid refills a unit
-  snap_off,       ///< an open throat closes
-  trap_wetting,   ///< a cluster of wetting fluid loses its reservoir
+  drain,         ///< the non-wetting fluid enters a saturated unit
+  open_throat,   ///< the non-wetting fluid joins two units it already holds
+  fill,          ///< the wetting fluid refills a unit
+  snap_off,      ///< an open throat closes
+  trap_wetting,  ///< a cluster of wetting fluid loses its reservoir
   trap_nonwetting,
-  free_wetting,   ///< a trapped cluster is reached again
+  free_wetting,  ///< a trapped cluster is reached again
   free_nonwetting,
 };
 
 struct InvasionEvent {
   InvasionEventKind kind;
   double capillary_pressure;  ///< [Pa]
-  int pore = -1;              ///< unit, or -1
+  int pore = -1;              ///< unit; of a cluster its lowest; -1 for a throat alone
   int throat = -1;            ///< throat, or -1
   int units = 0;              ///< size of the cluster trapped or freed
   double wetting_volume = 0;  ///< change of wetting volume in the counted pores [m3]
 };
+
+/// Pressures at which things happen, fixed by network, fluids and options (theory 4.4).
+struct InvasionThresholds {
+  std::vector<CapillaryUnit> unit;        ///< per pore, for the local law
+  std::vector<std::uint8_t> keeps_water;  ///< per pore: corner water stays in it when it is invaded
+  std::vector<double> body_pressure;      ///< per pore: not entered below; refilled below if it keeps water [Pa]
+  std::vector<double> entry_pressure;     ///< per throat: p_e [Pa]; infinite without a gap
+  std::vector<double> snap_off_pressure;  ///< per throat: p_so <= p_e [Pa]; 0: never
+  std::vector<std::uint8_t> may_open;     ///< per throat
+  bool all_keep_water = true;
+};
+
+/// A throat or pore that may change at a pressure; checked again when its turn comes.
+struct InvasionCandidate {
+  enum class Kind : std::uint8_t { enter_first, enter_second, join, fill, snap_off };
+  double pressure;  ///< [Pa]
+  double entry;     ///< entry pressure of the throat, or 0; decides between equal pressures [Pa]
+  int index;        ///< pore of `fill`, else throat
+  Kind kind;
+};
+
+/// Candidates as a heap, and marks that keep one from standing in it twice.
+struct InvasionQueue {
+  std::vector<InvasionCandidate> heap;
+  std::vector<std::uint8_t> pore_marks, throat_marks;  ///< bit of each kind that is queued
+};
+
+/// Two fluids at rest in a network. Reservoir pores are full of their fluid and not counted in
+/// saturations and ledger.
+struct InvasionState {
+  InvasionOptions options;
+  double capillary_pressure = 0.0;     ///< p_c of the reservoirs [Pa]
+  FluidClusters wetting, nonwetting;   ///< a throat is open where `nonwetting.passes`
+  std::vector<double> wetting_volume;  ///< per pore [m3]; 0 in the non-wetting reservoir, V_i in the wetting one
+  double void_volume = 0.0;            ///< of the counted pores [m3]
+  FluidLedger ledger;                  ///< volumes since the start
+
+  PoreLinks links;  ///< the rest follows from the start or from the above
+  InvasionThresholds thresholds;
+  InvasionQueue drainage, imbibition;  ///< lowest pressure first; highest first
+  ClusterSearch search;
+
+  bool is_counted(int pore) const { return !wetting.reservoir[to_size(pore)] && !nonwetting.reservoir[to_size(pore)]; }
+  /// Both fluids reach their reservoirs: the unit follows its local law.
+  bool is_in_equilibrium(int pore) const {
+    return nonwetting.connected[to_size(pore)] && wetting.connected[to_size(pore)] && is_counted(pore);
+  }
+};
+
+using InvasionEventCallback = std::function<void(const InvasionEvent&)>;
+
+/// Water everywhere but in the non-wetting reservoir, at p_c = 0.
+/// @throws InputError  for a face without pores, a pore at both faces, no pore between, an angle of 90 degrees
+///                     or more, sizes that are not positive
+InvasionState start_invasion(const PoreNetwork& network, const Fluids& fluids, const InvasionOptions& options);
+
+/// Moves the reservoirs to a capillary pressure through all events on the way, each at its own
+/// pressure (theory 4.5): the state reached does not depend on the stops between.
+///
+/// @param target    [Pa], >= 0
+/// @param on_event  called after each event; may be empty
+/// @throws InputError      for a target that is negative or not finite
+/// @throws NumericalError  if events follow one another without end at one pressure
+void advance_to(const PoreNetwork& network, double target, InvasionState& state, const InvasionEventCallback& on_event = {});
+
+/// Saturation with wetting fluid of each pore, reservoirs included [-].
+std::vector<double> saturation(const PoreNetwork& network, const InvasionState& state);
+
+/// Sums over the counted pores, as fractions of their void.
+struct InvasionTotals {
+  double saturation = 1.0;          ///< [-]
+  double trapped_wetting = 0.0;     ///< wetting fluid out of reach of its reservoir [-]
+  double trapped_nonwetting = 0.0;  ///< [-]
+};
+InvasionTotals totals(const PoreNetwork& network, const InvasionState& state);
 
 }  // namespace puadem
