@@ -26,9 +26,9 @@ void set_pore(const PoreNetwork& network, const Fluids& fluids, const InvasionOp
   const int faces = network.pore_faces[to_size(i)];
   require(is_positive(volume), "pore {} has the volume {} m3; it must be positive", i, volume);
   require(is_positive(radius), "pore {} has the radius {} m; it must be positive", i, radius);
-  require(faces >= 4, "pore {} has {} faces; a pore has at least 4", i, faces);
-  const CapillaryUnit unit{2.0 * fluids.surface_tension * std::cos(fluids.contact_angle) / radius, faces};
-  const bool keeps_water = options.corner_water && fluids.contact_angle < corner_angle_limit(faces);
+  require(faces >= 1, "pore {} has {} faces; it must have some", i, faces);
+  const CapillaryUnit unit{2.0 * fluids.surface_tension * std::cos(fluids.contact_angle) / radius, std::max(faces, 4)};
+  const bool keeps_water = options.corner_water && fluids.contact_angle < corner_angle_limit(unit.faces);
   out.unit[to_size(i)] = unit;
   out.keeps_water[to_size(i)] = keeps_water;
   out.all_keep_water = out.all_keep_water && keeps_water;

@@ -9,7 +9,7 @@ namespace puadem {
 /// What a local retention law needs to know of a pore unit.
 struct CapillaryUnit {
   double threshold = 0.0;  ///< p_thr = 2 gamma cos(theta) / R_i [Pa], > 0
-  int faces = 4;           ///< n_f [-], >= 4
+  int faces = 4;           ///< n_f [-]; fewer than 4 count as 4
 };
 
 /// p_c(S) = p_thr / (1 - exp(-kappa S)) with kappa rising with the number of faces

@@ -2,18 +2,19 @@
 
 namespace puadem {
 
-/// Shape numbers of a regular polyhedron, the picture behind the local laws of a pore unit with as many
-/// faces (theory 4.1). Lengths in units of the cube root of its volume.
+/// Numbers of a regular polyhedron, the picture behind the local laws of a pore unit with as many faces
+/// (theory 4.1). Lengths in units of the cube root of its volume.
 struct RegularPolyhedron {
-  double inscribed_radius;  ///< chi_g = R_i / V^(1/3) [-]
+  double inscribed_radius;  ///< chi_g = R_i / V^(1/3) [-], as the network has it
   double dihedral_angle;    ///< alpha, between two faces [rad]
-  double edge_water;        ///< c_2: saturation of the edge menisci is c_2 (2 gamma / (p_c V^(1/3)))^2 [-]
+  double edge_water;        ///< c_2: the edges hold the saturation c_2 (2 gamma / (p_c V^(1/3)))^2 [-]
 
   /// Saturation where the non-wetting bubble just touches all faces, 1 - 4/3 pi chi_g^3 [-].
   double touching_saturation() const;
 };
 
-/// Linear in ln(faces) between the five regular polyhedra; the icosahedron beyond twenty faces.
+/// Linear in ln(faces) between the five regular polyhedra; angle and edges of the icosahedron beyond
+/// twenty faces.
 /// @param faces  number of faces n_f, >= 4
 RegularPolyhedron regular_polyhedron(int faces);
 

@@ -1,0 +1,79 @@
+#include "puadem/flow/retention_path.hpp"
+
+#include <cmath>
+
+#include "puadem/base/error.hpp"
+
+namespace puadem {
+
+namespace {
+
+void check(const RetentionPath& path) {
+  require(!path.turning_points.empty(), "the retention path is empty: give at least one capillary pressure");
+  require(std::isfinite(path.step) && path.step > 0.0, "the step of the retention path is {} Pa; it must be positive", path.step);
+  for (int k = 0; k < size_of(path.turning_points); ++k) {
+    const double point = path.turning_points[to_size(k)];
+    require(std::isfinite(point) && point >= 0.0, "value {} of the retention path is {} Pa; it must be finite and not negative",
+            k + 1, point);
+    require(k == 0 || point != path.turning_points[to_size(k - 1)],
+            "values {} and {} of the retention path are both {} Pa; neighbours must differ", k, k + 1, point);
+  }
+}
+
+void check_length(const RetentionPath& path) {
+  constexpr double most_rows = 1e6;
+  double length = 0.0;
+  for (int k = 1; k < size_of(path.turning_points); ++k)
+    length += std::abs(path.turning_points[to_size(k)] - path.turning_points[to_size(k - 1)]);
+  require(length / path.step < most_rows,
+          "the retention path of {} Pa has more than a million steps of {} Pa: take a larger step", length, path.step);
+}
+
+// Stops within a leg, the end included and the start left out.
+void add_leg(double from, double to, double step, const std::string& branch, std::vector<RetentionStop>& stops) {
+  constexpr double same = 1e-9;  // of a step: a last multiple that is the end but for rounding
+  const double sign = to > from ? 1.0 : -1.0;
+  for (long k = 1; static_cast<double>(k) * step < std::abs(to - from) - same * step; ++k)
+    stops.push_back({from + sign * static_cast<double>(k) * step, branch});
+  stops.push_back({to, branch});
+}
+
+}  // namespace
+
+std::vector<RetentionStop> retention_stops(const RetentionPath& path, double start) {
+  check(path);
+  check_length(path);
+  int drainages = 0, imbibitions = 0;
+  bool drains = path.turning_points.front() >= start;
+  const auto next_branch = [&] {
+    return drains ? fmt::format("drainage-{}", ++drainages) : fmt::format("imbibition-{}", ++imbibitions);
+  };
+  std::string branch = next_branch();
+  std::vector<RetentionStop> stops{{path.turning_points.front(), branch}};
+  for (int k = 1; k < size_of(path.turning_points); ++k) {
+    const double from = path.turning_points[to_size(k - 1)], to = path.turning_points[to_size(k)];
+    if (drains != (to > from)) {
+      drains = to > from;
+      branch = next_branch();
+    }
+    add_leg(from, to, path.step, branch, stops);
+  }
+  return stops;
+}
+
+std::vector<RetentionRow> follow_path(const PoreNetwork& network, const Fluids& fluids, const RetentionPath& path,
+                                      InvasionState& state, const std::function<bool(const RetentionRow&)>& on_row,
+                                      const InvasionEventCallback& on_event) {
+  std::vector<RetentionRow> rows;
+  for (const RetentionStop& stop : retention_stops(path, state.capillary_pressure)) {
+    advance_to(network, stop.capillary_pressure, state, on_event);
+    const InvasionTotals sums = totals(network, state);
+    rows.push_back({size_of(rows), stop.branch, stop.capillary_pressure,
+                    stop.capillary_pressure * path.mean_grain_radius / fluids.surface_tension, sums.saturation,
+                    sums.trapped_wetting, sums.trapped_nonwetting});
+    if (on_row && !on_row(rows.back())) break;
+  }
+  return rows;
+}
+
+}  // namespace puadem
