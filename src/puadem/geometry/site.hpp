@@ -29,7 +29,7 @@ constexpr Vec3 edge_from(const Site& grain, const Site& other) {
 /// Distance of the surfaces of a grain and another grain or wall [m]; negative where they overlap.
 inline double gap(const Site& grain, const Site& other) {
   return other.is_wall ? distance_to_wall(grain, other) - grain.radius
-                       : norm(other.centre - grain.centre) - grain.radius - other.radius;
+                       : norm(other.centre - grain.centre) - (grain.radius + other.radius);
 }
 
 }  // namespace puadem

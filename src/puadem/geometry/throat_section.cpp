@@ -25,7 +25,7 @@ ThroatSection::Crevice crevice_between(const Site& a, const Site& b) {
   const Site& grain = a.is_wall ? b : a;
   const Site& other = a.is_wall ? a : b;
   const double distance = other.is_wall ? distance_to_wall(grain, other) : norm(other.centre - grain.centre);
-  return {distance, 0.0, distance - grain.radius - other.radius};
+  return {distance, 0.0, distance - (grain.radius + other.radius)};  // the same bits from either end
 }
 
 void subtract_grains(ThroatSection& section) {

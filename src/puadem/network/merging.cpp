@@ -43,15 +43,15 @@ struct Units {
 };
 
 struct Worst {
-  double ratio = -1.0;
+  float ratio = -1.0F;  // single: facets around one wide gap tie, whatever the rounding of their images
   int facet = -1;
 };
 
 class Merger {
  public:
   Merger(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
-         std::span<const double> wide, const MergeOptions& options)
-      : wide_(wide), options_(options) {
+         std::span<const double> wide, std::span<const double> void_area, const MergeOptions& options)
+      : wide_(wide), void_area_(void_area), options_(options) {
     units_.facets = facets;
     units_.unit.resize(to_size(cells));
     std::iota(units_.unit.begin(), units_.unit.end(), 0);
@@ -111,8 +111,12 @@ class Merger {
       const bool must = std::isinf(r);
       if (!must && (r <= options_.ratio || size_of(units_.cells[to_size(u)]) + size_of(units_.cells[to_size(v)]) > options_.limit))
         continue;
-      const double wide = wide_[to_size(f)], worst_wide = worst.facet < 0 ? -1.0 : wide_[to_size(worst.facet)];
-      if (r > worst.ratio || (r == worst.ratio && (wide > worst_wide || (wide == worst_wide && f < worst.facet)))) worst = {r, f};
+      const auto rank = static_cast<float>(r);
+      if (rank < worst.ratio) continue;
+      if (rank == worst.ratio) {  // facets come in ascending order
+        if (void_area_[to_size(f)] <= void_area_[to_size(worst.facet)]) continue;
+      }
+      worst = {rank, f};
     }
     return worst;
   }
@@ -189,7 +193,7 @@ class Merger {
   }
 
   Units units_;
-  std::span<const double> wide_;
+  std::span<const double> wide_, void_area_;
   MergeOptions options_;
   double nil_volume_ = 0.0;
   std::vector<Worst> worst_;
@@ -209,8 +213,8 @@ std::vector<Facet> find_facets(const Triangulation& triangulation) {
 }
 
 MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
-                        std::span<const double> wide, const MergeOptions& options) {
-  MergedCells merged = Merger(cells, facets, cell_void, cell_faces, wide, options).merge();
+                        std::span<const double> wide, std::span<const double> void_area, const MergeOptions& options) {
+  MergedCells merged = Merger(cells, facets, cell_void, cell_faces, wide, void_area, options).merge();
   const double mean = std::accumulate(cell_void.begin(), cell_void.end(), 0.0) / std::max(cells, 1);
   merged.forced = static_cast<int>(std::count_if(cell_void.begin(), cell_void.end(), [&](double v) { return v <= 1e-9 * mean; }));
   return merged;

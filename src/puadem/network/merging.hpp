@@ -35,13 +35,14 @@ struct MergedCells {
 
 /// Joins cells to pore units, worst throat first (theory 3.7). In each round every facet that is the
 /// worst of both its units merges them; worst is the largest R_ij / min(R_i, R_j), then the largest
-/// R_ij, then the lowest facet. So the order is local: it does not depend on threads or on how the cells
+/// void area (facets around one wide gap tie exactly), then the lowest facet. So the order is local: it does not depend on threads or on how the cells
 /// are spread. A cell whose void volume is nil to rounding always joins a neighbour.
 ///
 /// @param cell_void   void volume per cell [m3]
 /// @param cell_faces  facets and wall faces per cell
 /// @param wide        R_ij = 2 gamma / p_e = 2 r* per facet [m]
+/// @param void_area   per facet [m2]
 MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
-                        std::span<const double> wide, const MergeOptions& options);
+                        std::span<const double> wide, std::span<const double> void_area, const MergeOptions& options);
 
 }  // namespace puadem

@@ -151,7 +151,7 @@ PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const dou
   std::vector<double> wide(facets.size());
   for (std::size_t f = 0; f < facets.size(); ++f) wide[f] = 2.0 * sections.entry_radius[f];
   const MergedCells merged = merge_cells(triangulation.cells(), facets, cells.void_volume, cells.faces, wide,
-                                         {options.merge_ratio, options.merge_limit});
+                                         sections.void_area, {options.merge_ratio, options.merge_limit});
 
   fill_pores(network, cells, merged, sites_of);
   for (std::size_t f = 0; f < facets.size(); ++f) add_throat(network, facets[f], f, cells, merged, sections, sites_of);
