@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <type_traits>
+
+#include "puadem/base/parallel.hpp"
+#include "puadem/geometry/domain.hpp"
+#include "puadem/io/case_file.hpp"
+#include "puadem/io/units.hpp"
+
+namespace puadem {
+
+namespace {
+
+/// Place of a dotted key, or of the nearest table above it that exists.
+Place place_of_key(const TomlValue& tree, std::initializer_list<std::string_view> parts) {
+  const TomlValue* value = &tree;
+  for (const std::string_view part : parts) {
+    const TomlValue* next = value->find(part);
+    if (next == nullptr) break;
+    value = next;
+  }
+  return value->key.empty() ? value->place : value->key_place;
+}
+
+bool has(const TomlValue& tree, std::string_view table, std::string_view key) {
+  const TomlValue* found = tree.find(table);
+  return found != nullptr && found->find(key) != nullptr;
+}
+
+template <class S>
+bool has_stage(const Case& c) {
+  for (const Stage& stage : c.stages)
+    if (std::holds_alternative<S>(stage)) return true;
+  return false;
+}
+
+void check_domain(const TomlValue& tree, const Case& c, Problems& problems) {
+  if (has(tree, "domain", "size") && has(tree, "domain", "shape"))
+    problems.error(place_of_key(tree, {"domain", "shape"}), "domain.size and domain.shape exclude each other; remove one");
+  if (!c.grains.file) return;
+  for (const std::string_view key : {"size", "shape"})
+    if (has(tree, "domain", key))
+      problems.error(
+          place_of_key(tree, {"domain", key}),
+          fmt::format("domain.{} is not used with grains.file: the line \"# box\" of the packing gives the size; remove it",
+                      key));
+}
+
+void check_grading(const TomlValue& tree, const Case& c, Problems& problems) {
+  const Place place = place_of_key(tree, {"grains", "grading", "classes"});
+  const auto& classes = c.grains.grading.classes;
+  if (classes.empty()) return problems.error(place, "grains.grading.classes is empty; give at least one class");
+  double sum = 0.0, largest = 0.0, smallest = std::numeric_limits<double>::infinity();
+  for (const GradingClass& g : classes) {
+    sum += g.fraction;
+    largest = std::max(largest, g.diameter_max);
+    smallest = std::min(smallest, g.diameter_min);
+  }
+  const bool is_read = std::ranges::none_of(problems.errors, [](const auto& e) { return e.key.starts_with("grains.grading"); });
+  // Fractions are written with few digits; thirds must pass.
+  if (is_read && std::abs(sum - 1.0) > 1e-3)
+    problems.error(place, fmt::format("the fractions of grains.grading.classes add to {:.6g}; they must add to 1", sum));
+  if (largest > 50.0 * smallest)
+    problems.warning(place, fmt::format("the largest grain is {:.3g} times the smallest; such packings need very many grains",
+                                        largest / smallest));
+}
+
+void check_grains(const TomlValue& tree, const Case& c, Problems& problems) {
+  const TomlValue* grains = tree.find("grains");
+  if (grains == nullptr || grains->kind != TomlValue::Kind::table) return;
+  if (c.grains.file) {
+    for (const std::string_view key : {"count", "grading"})
+      if (grains->find(key) != nullptr)
+        problems.error(place_of_key(tree, {"grains", key}),
+                       fmt::format("grains.file and grains.{} exclude each other; remove one", key));
+    std::error_code failed;
+    const Place place = grains->find("file")->place;
+    if (!std::filesystem::exists(*c.grains.file, failed))
+      problems.error(place, fmt::format("no such file: {}", c.grains.file->string()));
+    else if (std::filesystem::is_directory(*c.grains.file, failed))
+      problems.error(place, fmt::format("this is a folder, not a packing file: {}", c.grains.file->string()));
+    return;
+  }
+  if (grains->find("file") != nullptr) return;  // its error is reported already
+  const bool has_grading = grains->find("grading") != nullptr, has_count = grains->find("count") != nullptr;
+  if (!has_grading && !has_count) {
+    problems.error(grains->key_place, "the table [grains] needs either file, or count and grading");
+    return;
+  }
+  if (!has_count) problems.error(grains->key_place, "missing key grains.count: number of grains; write count = 5000");
+  if (!has_grading)
+    problems.error(grains->key_place,
+                   "missing key grains.grading: sizes of the grains; write grading = { by = \"mass\", classes = "
+                   "[{ diameter = \"0.6 mm\", fraction = 1.0 }] }");
+  else if (grains->find("grading")->find("classes") != nullptr)
+    check_grading(tree, c, problems);
+}
+
+/// A case that never needs the material of its grains may leave it out.
+void check_materials(const TomlValue& tree, Case& c, Problems& problems) {
+  std::vector<std::string> names;
+  for (const Material& m : c.materials) names.push_back(m.name);
+  if (std::ranges::find(names, c.grains.material) != names.end()) return;
+  const bool is_named = has(tree, "grains", "material");
+  if (c.materials.empty() && !is_named && !has_stage<CompactStage>(c)) {
+    c.materials.emplace_back().name = c.grains.material;
+    return;
+  }
+  problems.error(place_of_key(tree, {"grains", "material"}),
+                 fmt::format("no table [materials.{}] for the material of the grains{}", c.grains.material,
+                             names.empty() ? "; add it with density, youngs_modulus, poisson_ratio and friction_angle"
+                                           : "; defined: " + joined(names) + did_you_mean(c.grains.material, names)));
+}
+
+/// One stage with what messages need to point at it.
+struct StageContext {
+  const TomlValue& tree;  ///< of the stage
+  int index;
+  const Case& c;
+
+  Place place(std::string_view key) const { return place_of_key(tree, {key}); }
+  Place value_place(std::string_view key) const {
+    const TomlValue* value = tree.find(key);
+    return value != nullptr ? value->place : tree.place;
+  }
+};
+
+void check_stage(const CompactStage& stage, const StageContext& at, Problems& problems) {
+  if (at.c.grains.file)
+    problems.error(
+        at.value_place("kind"),
+        "a stage \"compact\" makes its grains from grains.count and grains.grading; with grains.file remove the stage");
+  if (at.index != 0) problems.error(at.value_place("kind"), "a stage \"compact\" must come first");
+  for (const Material& m : at.c.materials)
+    if (m.name == at.c.grains.material && stage.stress > 0.01 * m.youngs_modulus)
+      problems.warning(at.value_place("stress"),
+                       fmt::format("stage.{}.stress is {:.2g} of the modulus of {}: grains will overlap deeply", at.index,
+                                   stage.stress / m.youngs_modulus, m.name));
+}
+
+void check_stage(const RetentionStage& stage, const StageContext& at, Problems& problems) {
+  const int air = stage.invasion.nonwetting_face, water = stage.invasion.wetting_face;
+  if (air == water)
+    problems.error(at.value_place(at.tree.find("water") != nullptr ? "water" : "air"),
+                   fmt::format("air and water must lie at different faces, not both at {}", face_names[to_size(air)]));
+  for (const auto& [key, face] : {std::pair{"air", air}, std::pair{"water", water}})
+    if (at.c.domain.periodic[to_size(axis_of(face))])
+      problems.error(at.value_place(key), fmt::format("stage.{}.{} = \"{}\" is no wall: the direction {} is periodic", at.index,
+                                                      key, face_names[to_size(face)], "xyz"[axis_of(face)]));
+  if (at.tree.find("path") == nullptr) return;
+  const std::size_t given = at.tree.find("path")->children.size();
+  if (given != stage.path.size()) return;  // values with errors of their own
+  if (given < 2)
+    problems.error(at.value_place("path"),
+                   fmt::format("stage.{}.path needs at least two pressures, a start and an end", at.index));
+  for (std::size_t i = 1; i < stage.path.size(); ++i)
+    if (stage.path[i] == stage.path[i - 1])
+      problems.error(at.tree.find("path")->children[i].place,
+                     fmt::format("stage.{}.path: a pressure must differ from the one before it", at.index));
+  double span = 0.0;
+  for (std::size_t i = 1; i < stage.path.size(); ++i) span += std::abs(stage.path[i] - stage.path[i - 1]);
+  if (span / stage.step > 1e6)
+    problems.error(at.value_place("step"), fmt::format("stage.{}.step = {} makes {:.3g} steps along the path; at most 1e6",
+                                                       at.index, show(stage.step, "Pa"), span / stage.step));
+}
+
+void check_stages(const TomlValue& tree, const Case& c, Problems& problems) {
+  const TomlValue* stages = tree.find("stage");
+  if (stages == nullptr || stages->kind != TomlValue::Kind::array) return;
+  if (stages->children.empty())
+    problems.error(stages->key_place, "no stage; add [[stage]] with kind = \"compact\" or \"retention\"");
+  if (stages->children.size() != c.stages.size()) return;  // a stage with an error of its own
+  for (int i = 0; i < size_of(c.stages); ++i)
+    std::visit(
+        [&](const auto& stage) {
+          check_stage(stage, {stages->children[to_size(i)], i, c}, problems);
+        },
+        c.stages[to_size(i)]);
+  if (!c.grains.file && !c.stages.empty() && !has_stage<CompactStage>(c) && has(tree, "grains", "grading"))
+    problems.error(stages->children[0].place,
+                   "grains from a grading need a stage \"compact\" first; or give a packing by grains.file");
+}
+
+void check_overlays(const TomlValue& tree, const Case& c, Problems& problems) {
+  const TomlValue* overlays = tree.find("overlay");
+  if (overlays == nullptr || overlays->children.size() != c.overlays.size()) return;
+  for (std::size_t i = 0; i < c.overlays.size(); ++i) {
+    std::error_code failed;
+    const std::filesystem::path& folder = c.overlays[i].folder;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, failed))
+      problems.warning(place_of_key(overlays->children[i], {"folder"}),
+                       fmt::format("no such folder: {}; the report will lack this overlay", folder.string()));
+  }
+}
+
+}  // namespace
+
+void check_case(const TomlValue& tree, Case& c, Problems& problems) {
+  problems.key.clear();
+  check_domain(tree, c, problems);
+  check_grains(tree, c, problems);
+  check_materials(tree, c, problems);
+  check_stages(tree, c, problems);
+  check_overlays(tree, c, problems);
+  // One angle for the network and the fluids.
+  c.pores.contact_angle = c.fluids.contact_angle;
+}
+
+}  // namespace puadem

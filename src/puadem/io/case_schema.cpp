@@ -1,0 +1,344 @@
+#include "puadem/io/case_schema.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <type_traits>
+
+#include "puadem/base/parallel.hpp"
+#include "puadem/io/key_builders.hpp"
+
+namespace puadem {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// [domain]
+
+const Section<DomainOptions>& domain_section() {
+  static const Section<DomainOptions> section = [] {
+    Section<DomainOptions> s;
+    s.fields.push_back(
+        bind<DomainOptions>(noted(quantity("size", "m", above(0), between(1e-4, 1), R"(["12 mm", "12 mm", "12 mm"])",
+                                           "edge lengths x, y, z of the box; instead of shape"),
+                                  "from count, grading and porosity"),
+                            &DomainOptions::size));
+    s.fields.push_back(bind<DomainOptions>(
+        [] {
+          KeyInfo info =
+              number("shape", above(0), "proportions x : y : z of a box whose size follows from count, grading and porosity");
+          info.type = "a list of three numbers";
+          info.example = "[1, 1, 2]";
+          return info;
+        }(),
+        &DomainOptions::shape));
+    auto& shape = s.fields.back();
+    shape.write = [write = shape.write](const DomainOptions& d) { return d.size ? std::string() : write(d); };
+    KeyInfo periodic = choice("periodic", {"x", "y", "z"}, "directions without walls, continued by copies of the box");
+    periodic.type = "a list of choices";
+    periodic.example = R"(["x", "y"])";
+    s.fields.push_back(bind<DomainOptions>(periodic, &DomainOptions::periodic));
+    return s;
+  }();
+  return section;
+}
+
+// [grains]
+
+/// A diameter, or the two bounds of a class.
+Field<GradingClass> diameter_field() {
+  KeyInfo info = needed(quantity("diameter", "m", above(0), between(1e-6, 0.1), R"("0.35 mm")",
+                                 "diameter of a class, or its two bounds [\"1.0 mm\", \"1.4 mm\"]"));
+  info.type = "a length, or a list of two";
+  Field<GradingClass> field;
+  field.read = [info](const TomlValue& value, Problems& problems, GradingClass& c) {
+    if (value.kind != TomlValue::Kind::array) {
+      read_value(value, info, problems, c.diameter_min);
+      c.diameter_max = c.diameter_min;
+      return;
+    }
+    std::vector<double> bounds;
+    const std::size_t before = problems.errors.size();
+    read_value(value, info, problems, bounds);
+    if (problems.errors.size() > before) return;
+    if (bounds.size() != 2 || bounds[0] > bounds[1])
+      return problems.error(value.place, problems.key + " must be one diameter or two, the smaller first");
+    c.diameter_min = bounds[0];
+    c.diameter_max = bounds[1];
+  };
+  field.write = [info](const GradingClass& c) {
+    if (c.diameter_min == c.diameter_max) return c.diameter_min > 0 ? write_value(info, c.diameter_min) : std::string();
+    return write_value(info, std::vector<double>{c.diameter_min, c.diameter_max});
+  };
+  field.info = std::move(info);
+  return field;
+}
+
+const Section<GradingClass>& class_section() {
+  static const Section<GradingClass> section{{
+      diameter_field(),
+      bind<GradingClass>(
+          number("fraction", Interval{0, 1, true, false}, "share of the class in the measure of `by`; the shares add to 1"),
+          &GradingClass::fraction),
+  }};
+  return section;
+}
+
+const Section<Grading>& grading_section() {
+  static const Section<Grading> section{{
+      bind_choice<Grading>(choice("by", {"mass", "number"},
+                                  "what the fractions are shares of; inside a class sizes are uniform in the same measure"),
+                           &Grading::by),
+      bind_tables<Grading>(needed(plain("classes", "a list of tables", "size classes of the grading",
+                                        R"([{ diameter = "0.6 mm", fraction = 1.0 }])")),
+                           class_section, &Grading::classes),
+  }};
+  return section;
+}
+
+const Section<GrainOptions>& grains_section() {
+  static const Section<GrainOptions> section = [] {
+    Section<GrainOptions> s{{
+        bind<GrainOptions>(
+            noted(plain("file", "a path", "packing to use as it is: CSV x,y,z,r in metres, relative to the case file",
+                        R"("packing.csv")"),
+                  "grains are made from count and grading"),
+            &GrainOptions::file),
+        bind<GrainOptions>(noted(whole("count", 1, 1e8, "number of grains; with grading", "5000"), "required without file"),
+                           &GrainOptions::count),
+        bind_table<GrainOptions>(plain("grading", "a table", "sizes of the grains"), grading_section, &GrainOptions::grading),
+        bind<GrainOptions>(plain("material", "a name", "what the grains are made of: a table [materials.NAME]", R"("glass")"),
+                           &GrainOptions::material),
+    }};
+    // A packing file replaces count and grading.
+    auto& count = s.fields[1];
+    count.write = [write = count.write](const GrainOptions& g) { return g.file ? std::string() : write(g); };
+    auto& grading = s.fields[2];
+    grading.write_tables = [write = grading.write_tables](const std::string& path, const GrainOptions& g) {
+      return g.file || g.grading.classes.empty() ? std::string() : write(path, g);
+    };
+    return s;
+  }();
+  return section;
+}
+
+// [materials.NAME], [contact]
+
+const Section<Material>& material_section() {
+  static const Section<Material> section{{
+      bind<Material>(quantity("density", "kg/m3", above(0), between(100, 2e4), R"("2650 kg/m3")", "of the solid grain"),
+                     &Material::density),
+      bind<Material>(quantity("youngs_modulus", "Pa", above(0), between(1e5, 1e12), R"("150 MPa")",
+                              "E; lower than the mineral's for speed, high against the stress"),
+                     &Material::youngs_modulus),
+      bind<Material>(number("poisson_ratio", Interval{-1, 0.5, true, false}, "nu", between(0, 0.5)), &Material::poisson_ratio),
+      bind<Material>(quantity("friction_angle", "rad", Interval{0, 90 * degree, false, true}, between(0, 60 * degree),
+                              R"("30 deg")", "between grains, mu = tan(angle)"),
+                     &Material::friction_angle),
+  }};
+  return section;
+}
+
+/// Tables with names of the user's choice.
+Field<Case> materials_field() {
+  Field<Case> field;
+  field.info = plain("materials", "a table of tables", "one table [materials.NAME] for each material");
+  field.read = [](const TomlValue& value, Problems& problems, Case& c) {
+    if (!expect_table(value, problems)) return;
+    for (const TomlValue& entry : value.children) {
+      problems.key = "materials." + entry.key;
+      Material material;
+      material.name = entry.key;
+      read_table(entry, material_section(), problems, material);
+      c.materials.push_back(material);
+    }
+  };
+  field.write_tables = [](const std::string& path, const Case& c) {
+    std::string text;
+    for (const Material& m : c.materials)
+      text += "\n[" + path + "." + toml_key(m.name) + "]\n" + write_table("", material_section(), m);
+    return text;
+  };
+  field.describe = [](const std::string& path, std::vector<KeyDoc>& out) {
+    describe_table(path + ".NAME", material_section(), out);
+  };
+  return field;
+}
+
+const Section<ContactOptions>& contact_section() {
+  static const Section<ContactOptions> section{{
+      bind_choice<ContactOptions>(choice("law", {"linear-spring", "hertz-mindlin"}, "contact law"), &ContactOptions::law),
+      bind<ContactOptions>(number("stiffness_ratio", above(0), "k_s / k_n of the linear law", between(0.05, 2)),
+                           &ContactOptions::stiffness_ratio),
+      bind<ContactOptions>(
+          number("wall_friction", at_least(0), "friction coefficient mu between grains and walls", between(0, 2)),
+          &ContactOptions::wall_friction),
+  }};
+  return section;
+}
+
+// [fluids], [pores]
+
+Section<Fluid> fluid_section(const Fluid& defaults) {
+  Section<Fluid> section{{
+      bind<Fluid>(quantity("viscosity", "Pa s", above(0), between(1e-7, 1e4), R"("1.0 mPa s")", "dynamic viscosity"),
+                  &Fluid::viscosity),
+      bind<Fluid>(quantity("density", "kg/m3", above(0), between(0.05, 2e4), R"("998 kg/m3")", "of the fluid"), &Fluid::density),
+  }};
+  section.fields[0].info.default_note = fmt::format("{}", defaults.viscosity);
+  section.fields[1].info.default_note = fmt::format("{}", defaults.density);
+  return section;
+}
+const Section<Fluid>& wetting_section() {
+  static const Section<Fluid> section = fluid_section(Fluids{}.wetting);
+  return section;
+}
+const Section<Fluid>& nonwetting_section() {
+  static const Section<Fluid> section = fluid_section(Fluids{}.nonwetting);
+  return section;
+}
+
+const Section<Fluids>& fluids_section() {
+  static const Section<Fluids> section{{
+      bind<Fluids>(
+          quantity("surface_tension", "N/m", above(0), between(1e-4, 0.6), R"("72.8 mN/m")", "gamma between the two fluids"),
+          &Fluids::surface_tension),
+      bind<Fluids>(quantity("contact_angle", "rad", Interval{0, 60 * degree, false, true}, {}, R"("0 deg")",
+                            "theta, measured through the wetting fluid"),
+                   &Fluids::contact_angle),
+      bind_table<Fluids>(plain("wetting", "a table", "the wetting fluid"), wetting_section, &Fluids::wetting),
+      bind_table<Fluids>(plain("nonwetting", "a table", "the non-wetting fluid"), nonwetting_section, &Fluids::nonwetting),
+  }};
+  return section;
+}
+
+const Section<NetworkOptions>& pores_section() {
+  static const Section<NetworkOptions> section = [] {
+    const auto entry =
+        bind_law<NetworkOptions, EntryLaw>("entry_pressure", "law of the entry pressure of a throat", &NetworkOptions::entry_law);
+    KeyInfo ratio = number("merge_ratio", above(0),
+                           "neighbouring pores merge where throat radius / smaller pore radius exceeds this; \"none\": never");
+    ratio.word_for_infinity = "none";
+    ratio.plausible = Interval{0.5, infinity, false, false};
+    return Section<NetworkOptions>{{entry, bind<NetworkOptions>(ratio, &NetworkOptions::merge_ratio),
+                                    bind<NetworkOptions>(whole("merge_limit", 1, 1e6, "most tetrahedra in one pore unit", "20"),
+                                                         &NetworkOptions::merge_limit)}};
+  }();
+  return section;
+}
+
+// [output], [[overlay]], [expected]
+
+const Section<OutputOptions>& output_section() {
+  static const Section<OutputOptions> section{{
+      bind<OutputOptions>(flag("fields", "write grains, pores and throats as VTP files for ParaView"), &OutputOptions::fields),
+      bind<OutputOptions>(whole("fields_every", 1, 1e9, "one set of files each so many equilibria of a retention stage", "1"),
+                          &OutputOptions::fields_every),
+  }};
+  return section;
+}
+
+const Section<Overlay>& overlay_section() {
+  static const Section<Overlay> section{{
+      bind<Overlay>(needed(plain("label", "a text", "name in the legend of the report", R"("glass beads")")), &Overlay::label),
+      bind<Overlay>(needed(plain("folder", "a path",
+                                 "run folder, or folder with retention.csv and distributions.csv, relative to the case file",
+                                 R"("reference")")),
+                    &Overlay::folder),
+  }};
+  return section;
+}
+
+/// name = [low, high], { value, tolerance }, { min } or { max }.
+void read_expected(const TomlValue& value, Problems& problems, Expected& out) {
+  const KeyInfo bound = number("", {}, "");
+  if (value.kind == TomlValue::Kind::array) {
+    std::vector<double> bounds;
+    const std::size_t before = problems.errors.size();
+    read_value(value, bound, problems, bounds);
+    if (problems.errors.size() > before) return;
+    if (bounds.size() != 2 || bounds[0] > bounds[1])
+      return problems.error(value.place, problems.key + " must be [low, high] with low <= high");
+    out = {bounds[0], bounds[1]};
+    return;
+  }
+  if (value.kind != TomlValue::Kind::table)
+    return problems.error(
+        value.place,
+        problems.key + " must be [low, high], { value = , tolerance = }, { min = } or { max = }, not " + short_text(value));
+  struct Bounds {
+    std::optional<double> value, tolerance, min, max;
+  } b;
+  static const Section<Bounds> section{{bind<Bounds>(number("value", {}, ""), &Bounds::value),
+                                        bind<Bounds>(number("tolerance", at_least(0), ""), &Bounds::tolerance),
+                                        bind<Bounds>(number("min", {}, ""), &Bounds::min),
+                                        bind<Bounds>(number("max", {}, ""), &Bounds::max)}};
+  const std::size_t before = problems.errors.size();
+  read_table(value, section, problems, b);
+  if (problems.errors.size() > before) return;
+  const bool has_value = b.value || b.tolerance, has_bound = b.min || b.max;
+  if (has_value == has_bound || b.value.has_value() != b.tolerance.has_value() || (b.min && b.max && *b.min > *b.max))
+    return problems.error(value.place, problems.key + " must be { value = , tolerance = }, { min = } or { max = }");
+  if (b.value) out = {*b.value - *b.tolerance, *b.value + *b.tolerance};
+  if (b.min) out.low = *b.min;
+  if (b.max) out.high = *b.max;
+}
+
+Field<Case> expected_field() {
+  Field<Case> field;
+  field.info = plain("expected", "a table", "bounds of named results, checked at the end of a run");
+  field.read = [](const TomlValue& value, Problems& problems, Case& c) {
+    if (!expect_table(value, problems)) return;
+    for (const TomlValue& entry : value.children) {
+      problems.key = "expected." + entry.key;
+      read_expected(entry, problems, c.expected[entry.key]);
+    }
+  };
+  field.write_tables = [](const std::string& path, const Case& c) {
+    if (c.expected.empty()) return std::string();
+    std::string text = "\n[" + path + "]\n";
+    for (const auto& [name, e] : c.expected) {
+      const bool low = std::isfinite(e.low), high = std::isfinite(e.high);
+      text += toml_key(name) + " = ";
+      text += low && high ? fmt::format("[{}, {}]\n", e.low, e.high)
+              : low       ? fmt::format("{{ min = {} }}\n", e.low)
+                          : fmt::format("{{ max = {} }}\n", e.high);
+    }
+    return text;
+  };
+  field.describe = [info = field.info](const std::string& path, std::vector<KeyDoc>& out) {
+    KeyDoc doc = describe_key(path + ".RESULT", info, "");
+    doc.type = "[low, high], { value = , tolerance = }, { min = } or { max = }";
+    doc.help = "bounds of a result named as in manifest.json, checked at the end of a run";
+    doc.example = "[0.338, 0.342]";
+    out.push_back(doc);
+  };
+  return field;
+}
+
+}  // namespace
+
+const Section<Case>& case_section() {
+  static const Section<Case> section{{
+      bind<Case>(plain("title", "a text", "name of the case in reports and folders", R"("glass beads")"), &Case::title),
+      bind<Case>(whole("seed", 0, 9007199254740992.0, "of the random numbers: the same seed gives the same run", "1"),
+                 &Case::seed),
+      bind_table<Case>(plain("domain", "a table", "the box"), domain_section, &Case::domain),
+      bind_table<Case>(
+          needed(plain("grains", "a table", "where the grains come from; write [grains] with count and grading, or file")),
+          grains_section, &Case::grains),
+      materials_field(),
+      bind_table<Case>(plain("contact", "a table", "contacts of grains"), contact_section, &Case::contact),
+      bind_table<Case>(plain("fluids", "a table", "the two fluids"), fluids_section, &Case::fluids),
+      bind_table<Case>(plain("pores", "a table", "the pore network"), pores_section, &Case::pores),
+      stages_field(),
+      bind_table<Case>(plain("output", "a table", "what is written"), output_section, &Case::output),
+      bind_tables<Case>(plain("overlay", "a list of tables", "finished results to draw beside this run's"), overlay_section,
+                        &Case::overlays),
+      expected_field(),
+  }};
+  return section;
+}
+
+}  // namespace puadem

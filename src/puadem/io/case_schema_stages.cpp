@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <type_traits>
+
+#include "puadem/base/parallel.hpp"
+#include "puadem/geometry/domain.hpp"
+#include "puadem/io/case_schema.hpp"
+#include "puadem/io/key_builders.hpp"
+
+namespace puadem {
+
+namespace {
+
+/// Key that is only there to tell tables apart; it stores nothing.
+template <class T>
+Field<T> label(KeyInfo info, std::string word) {
+  return {std::move(info), [](const TomlValue&, Problems&, T&) {}, [word](const T&) { return toml_text(word); }};
+}
+
+// [[stage]]
+
+const Section<CompactStage>& compact_section() {
+  static const Section<CompactStage> section{{
+      label<CompactStage>(
+          needed(plain("kind", "a choice", "a random cloud becomes a packing at rest under an isotropic stress", R"("compact")")),
+          "compact"),
+      bind<CompactStage>(
+          needed(quantity("stress", "Pa", above(0), between(10, 1e8), R"("10 kPa")", "target mean stress, compression positive")),
+          &CompactStage::stress),
+      bind<CompactStage>(noted(number("porosity", inside(0, 1), "target porosity, reached by lowering friction while compacting",
+                                      between(0.2, 0.7)),
+                               "whatever the friction gives"),
+                         &CompactStage::porosity),
+      bind_choice<CompactStage>(
+          choice("porosity_region", {"core", "box"},
+                 "where the porosity is measured: farther than one largest diameter from every wall, or the whole box"),
+          &CompactStage::porosity_region),
+      bind<CompactStage>(number("unbalanced", inside(0, 1),
+                                "ratio of unbalanced to contact force at which the packing is at rest", between(1e-6, 0.1)),
+                         &CompactStage::unbalanced),
+      bind<CompactStage>(number("damping", Interval{0, 1, false, true}, "Cundall damping", between(0, 0.9)),
+                         &CompactStage::damping),
+  }};
+  return section;
+}
+
+/// A face of the box, stored as its number.
+template <class Member>
+Field<RetentionStage> face_field(std::string name, std::string help, Member member) {
+  const KeyInfo info = choice(std::move(name), {face_names.begin(), face_names.end()}, std::move(help));
+  return {info,
+          [info, member](const TomlValue& value, Problems& problems, RetentionStage& s) {
+            if (const auto face = read_face(value, info, problems)) s.invasion.*member = *face;
+          },
+          [info, member](const RetentionStage& s) { return toml_text(face_names[to_size(s.invasion.*member)]); }};
+}
+
+Field<RetentionStage> invasion_flag(std::string name, std::string help, bool InvasionOptions::*member) {
+  return bind<RetentionStage>(
+      flag(std::move(name), std::move(help)), [member](auto& s) -> auto& { return s.invasion.*member; });
+}
+
+Field<RetentionStage> grains_field() {
+  const KeyInfo info =
+      choice("grains", {"fixed", "moving"}, "whether grains move during the stage; only \"fixed\" in this version");
+  return {info,
+          [info](const TomlValue& value, Problems& problems, RetentionStage&) {
+            const auto index = read_choice(value, info, problems);
+            if (index && *index == 1)
+              problems.error(value.place,
+                             problems.key + " = \"moving\" is not available in this version; write grains = \"fixed\"");
+          },
+          [](const RetentionStage&) { return toml_text("fixed"); }};
+}
+
+const Section<RetentionStage>& retention_section() {
+  static const Section<RetentionStage> section = [] {
+    KeyInfo path = needed(quantity("path", "Pa", at_least(0), between(1e-2, 1e9), R"(["400 Pa", "1300 Pa", "0 Pa"])",
+                                   "turning points of the capillary pressure: rising is drainage, falling is imbibition"));
+    path.type = "a list of pressures";
+    return Section<RetentionStage>{{
+        label<RetentionStage>(
+            needed(plain("kind", "a choice", "capillary pressure steps, each to equilibrium", R"("retention")")), "retention"),
+        grains_field(),
+        face_field("air", "face of the non-wetting reservoir", &InvasionOptions::nonwetting_face),
+        face_field("water", "face of the wetting reservoir", &InvasionOptions::wetting_face),
+        bind<RetentionStage>(path, &RetentionStage::path),
+        bind<RetentionStage>(quantity("step", "Pa", above(0), between(1e-2, 1e8), R"("100 Pa")",
+                                      "output step along the path; the curve does not depend on it"),
+                             &RetentionStage::step),
+        invasion_flag("snap_off", "open throats may close by their corner menisci in imbibition", &InvasionOptions::snap_off),
+        invasion_flag("trap_wetting", "wetting fluid cut off from its reservoir keeps its volume",
+                      &InvasionOptions::trap_wetting),
+        invasion_flag("trap_nonwetting", "non-wetting fluid cut off from its reservoir keeps its volume",
+                      &InvasionOptions::trap_nonwetting),
+        invasion_flag("corner_films", "corner water connects through open throats", &InvasionOptions::corner_films),
+        invasion_flag("corner_water", "an invaded unit keeps the water of the local retention law; else none",
+                      &InvasionOptions::corner_water),
+        invasion_flag("wall_throats", "throats along walls may be invaded", &InvasionOptions::wall_throats),
+        bind_law<RetentionStage, AnyRetentionLaw>(
+            "retention_law", "capillary pressure of a unit that holds both fluids",
+            [](auto& s) -> auto& { return s.invasion.retention_law; }),
+    }};
+  }();
+  return section;
+}
+
+std::vector<std::string> stage_kinds() { return {"compact", "retention"}; }
+
+template <class S>
+void read_stage(const TomlValue& value, const Section<S>& section, Problems& problems, Case& c) {
+  S stage;
+  read_table(value, section, problems, stage);
+  c.stages.emplace_back(std::move(stage));
+}
+
+}  // namespace
+
+Field<Case> stages_field() {
+  Field<Case> field;
+  field.info = needed(plain("stage", "a list of tables", "what is done, in this order", ""));
+  field.info.help += "; write [[stage]] with kind = \"compact\" or \"retention\"";
+  field.read = [](const TomlValue& value, Problems& problems, Case& c) {
+    if (value.kind != TomlValue::Kind::array)
+      return problems.error(value.key_place, "stage must be a list of tables; write [[stage]] with two brackets");
+    const KeyInfo kinds = choice("kind", stage_kinds(), "");
+    for (std::size_t i = 0; i < value.children.size(); ++i) {
+      const TomlValue& stage = value.children[i];
+      problems.key = fmt::format("stage.{}", i);
+      if (!expect_table(stage, problems)) continue;
+      const TomlValue* kind = stage.find("kind");
+      if (kind == nullptr) {
+        problems.error(stage.place, fmt::format("missing key stage.{}.kind; allowed: {}", i, joined(kinds.choices)));
+        continue;
+      }
+      problems.key += ".kind";
+      const auto index = read_choice(*kind, kinds, problems);
+      problems.key = fmt::format("stage.{}", i);
+      if (index && *index == 0) read_stage(stage, compact_section(), problems, c);
+      if (index && *index == 1) read_stage(stage, retention_section(), problems, c);
+    }
+  };
+  field.write_tables = [](const std::string& path, const Case& c) {
+    std::string text;
+    for (const Stage& stage : c.stages) {
+      text += "\n[[" + path + "]]\n";
+      text += std::visit(
+          [](const auto& s) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(s)>, CompactStage>)
+              return write_table("", compact_section(), s);
+            else
+              return write_table("", retention_section(), s);
+          },
+          stage);
+    }
+    return text;
+  };
+  field.describe = [](const std::string& path, std::vector<KeyDoc>& out) {
+    describe_table(path + "[compact]", compact_section(), out);
+    describe_table(path + "[retention]", retention_section(), out);
+  };
+  return field;
+}
+
+}  // namespace puadem
