@@ -130,7 +130,7 @@ void snap_off(const PoreNetwork& network, int throat, InvasionState& state, cons
   trap(network, std::array{i, j}, EventKind::trap_nonwetting, state, on_event);
   if (state.wetting.connected[to_size(i)]) release(network, j, EventKind::free_wetting, state, on_event);
   if (state.wetting.connected[to_size(j)]) release(network, i, EventKind::free_wetting, state, on_event);
-  queue_throat(network, throat, state);
+  for (const int pore : {i, j}) queue_pore(network, pore, state);
 }
 
 }  // namespace
