@@ -4,3 +4,5 @@ target_link_libraries(puadem_geometry PRIVATE CGAL::CGAL)
 find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)  # io/toml_tree.cpp
 target_include_directories(puadem_io SYSTEM PRIVATE ${TOMLPLUSPLUS_INCLUDE})
 find_package(CLI11 REQUIRED)                            # app/puadem.cpp
+include(cmake/report.cmake)
+include(cmake/build_info.cmake)         # last: it names the versions found

@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "puadem/coupling/run.hpp"
 #include "puadem/io/safe_file.hpp"
+#include "puadem/io/vtk_writer.hpp"
 
 namespace puadem {
 
@@ -26,19 +26,18 @@ struct ResultsFolder {
 
   // Progress of the recording.
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
-  std::string started_utc;                              ///< ISO 8601
-  std::optional<std::filesystem::path> created_parent;  ///< topmost folder made for this run
-  std::string previous_latest;                          ///< what `latest` pointed to before; empty: nothing
-  bool linked = false;                                  ///< `latest` was set to this run
-  bool has_result = false;                              ///< a packing or an equilibrium is on disk
-  std::vector<std::uint8_t> open_throats;               ///< by replay of the invasion events
-  struct Frame {
-    double time;  ///< [s], or the number of the equilibrium
-    std::string file;
-  };
-  std::vector<Frame> pore_frames, throat_frames, grain_frames;
-  AppendFile log, progress, retention, events, compaction;
+  std::string started_utc;             ///< ISO 8601
+  std::filesystem::path created_from;  ///< topmost folder made for this run; ends in "." where there was none
+  std::string previous_latest;         ///< what `latest` pointed to before; empty: nothing
+  bool linked = false;                 ///< `latest` was set to this run
+  bool has_result = false;             ///< a packing or an equilibrium is on disk
+  std::vector<VtkFrame> grain_frames, pore_frames, throat_frames;
+  bool has_distributions = false;
+  int equilibria = 0;
+  long events_seen = 0;
+  AppendFile log, progress, retention, events, compaction;  ///< opened when first needed
   std::chrono::steady_clock::time_point last_progress{};
+  std::string last_stage;
 };
 
 /// Makes the folder of a run and writes case.toml and case.resolved.toml into it.
@@ -53,7 +52,8 @@ struct ResultsFolder {
 ResultsFolder open_results(const Case& c, const std::string& case_text, std::string resolved_text,
                            std::optional<std::filesystem::path> output, const std::string& name = {});
 
-/// Writes log.txt, progress.jsonl, series/ and fields/ as the run goes on. A message that begins with
+/// Writes log.txt, progress.jsonl, series/ and fields/ as the run goes on. Folder and case must outlive
+/// the observer. A message that begins with
 /// "warning: " goes into the manifest and the report too. Progress always asks to go on: combine it
 /// with an observer of your own to stop a run or to draw a progress line.
 /// @throws InputError (from its calls) where the disk is full or the folder is gone

@@ -13,9 +13,6 @@ namespace puadem {
 /// @throws InputError naming path, reason and remedy; the temporary file is removed
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// The whole file as bytes. @throws InputError where it cannot be read
-std::string read_file(const std::filesystem::path& path);
-
 /// A file that only grows. Each `append` reaches the file whole or not at all: where a write fails, the
 /// file is cut back to its last good length.
 class AppendFile {

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "puadem/io/manifest.hpp"
+
+namespace puadem {
+namespace {
+
+constexpr double volume_tolerance = 1e-12;  // of the box or the void: rounding of a sum, no more
+
+/// Neumaier sum: the terms are many and the tolerance is close to rounding.
+class Sum {
+ public:
+  void add(double term) {
+    const double next = total_ + term;
+    lost_ += std::abs(total_) >= std::abs(term) ? (total_ - next) + term : (term - next) + total_;
+    total_ = next;
+  }
+  double value() const { return total_ + lost_; }
+
+ private:
+  double total_ = 0.0, lost_ = 0.0;
+};
+
+/// (pores + grains - box) / box.
+double volume_defect(const State& state) {
+  Sum sum;
+  for (const double v : state.network.pore_volume) sum.add(v);
+  for (const double r : state.particles.radius) sum.add(4.0 / 3.0 * std::numbers::pi * r * r * r);
+  sum.add(-state.domain.volume());
+  return sum.value() / state.domain.volume();
+}
+
+std::string bound_text(const Expected& e) {
+  const bool low = std::isfinite(e.low), high = std::isfinite(e.high);
+  if (low && high) return fmt::format("{:.6g} to {:.6g}", e.low, e.high);
+  if (low) return fmt::format("at least {:.6g}", e.low);
+  if (high) return fmt::format("at most {:.6g}", e.high);
+  return "any number";
+}
+
+void add_expected(std::vector<Check>& checks, const Case& c, const RunResults& results) {
+  for (const auto& [name, bound] : c.expected) {
+    const auto found = results.scalars.find(name);
+    const double value = found == results.scalars.end() ? std::nan("") : found->second;
+    checks.push_back({name, bound_text(bound), value, value >= bound.low && value <= bound.high});
+  }
+}
+
+}  // namespace
+
+bool expected_bounds_hold(const Case& c, const RunResults& results) {
+  std::vector<Check> checks;
+  add_expected(checks, c, results);
+  return std::ranges::all_of(checks, &Check::passed);
+}
+
+std::vector<Check> run_checks(const Case& c, const State& state, const RunResults* results) {
+  std::vector<Check> checks;
+  const auto within = [&](const char* name, double value, double tolerance) {
+    checks.push_back({name, fmt::format("within ±{:g}", tolerance), value, std::abs(value) <= tolerance});
+  };
+  if (state.network.pores() > 0)
+    within("pore volume + grain volume = box volume (relative)", volume_defect(state), volume_tolerance);
+  if (!state.saturation.empty()) {
+    const auto [low, high] = std::ranges::minmax(state.saturation);
+    const double worst = high - 1.0 > -low ? high : low;
+    checks.push_back({"saturation of every pore, the farthest out", "0 to 1", worst, low >= 0.0 && high <= 1.0});
+  }
+  if (!results) return checks;
+  if (results->ledger.void_volume > 0.0) {
+    within("wetting fluid: in − out = change (of the void)", results->ledger.wetting_error(), volume_tolerance);
+    within("non-wetting fluid: in − out = change (of the void)", results->ledger.nonwetting_error(), volume_tolerance);
+  }
+  add_expected(checks, c, *results);
+  return checks;
+}
+
+}  // namespace puadem

@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "puadem/io/results_folder.hpp"
+#include "puadem/io/series_writer.hpp"
+#include "puadem/io/vtk_fields.hpp"
+
+namespace puadem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double wall_seconds(const ResultsFolder& folder) { return std::chrono::duration<double>(Clock::now() - folder.started).count(); }
+
+/// The series `file`, opened with its header when first needed.
+AppendFile& series(ResultsFolder& folder, AppendFile& file, const char* name, std::string_view header) {
+  if (!file.is_open()) {
+    file = AppendFile(folder.path / "series" / name);
+    file.append(header);
+  }
+  return file;
+}
+
+void record_message(ResultsFolder& folder, std::string_view message) {
+  constexpr std::string_view mark = "warning: ";
+  if (message.starts_with(mark)) folder.warnings.emplace_back(message.substr(mark.size()));
+  folder.log.append(fmt::format("[{:9.2f} s] {}\n", wall_seconds(folder), message));
+  folder.log.flush();
+}
+
+/// One line a second, and one where a stage begins or ends.
+void record_progress(ResultsFolder& folder, const Progress& p) {
+  constexpr auto interval = std::chrono::seconds(1);
+  const bool turn = p.stage != folder.last_stage || p.fraction >= 1.0;
+  if (!turn && Clock::now() - folder.last_progress < interval) return;
+  folder.last_progress = Clock::now();
+  folder.last_stage = p.stage;
+  const nlohmann::ordered_json line{{"wall_s", wall_seconds(folder)},
+                                    {"stage", p.stage},
+                                    {"fraction", p.fraction},
+                                    {"step", p.step},
+                                    {"time_s", p.time},
+                                    {"saturation", p.saturation},
+                                    {"pc_Pa", p.capillary_pressure},
+                                    {"unbalanced", p.unbalanced}};
+  folder.progress.append(line.dump() + "\n");
+  folder.progress.flush();
+}
+
+void record_compaction(ResultsFolder& folder, const Progress& p) {
+  series(folder, folder.compaction, "compaction.csv", compaction_header).append(compaction_line(p));
+}
+
+void write_frame(const ResultsFolder& folder, std::vector<VtkFrame>& frames, const char* name, double time,
+                 const VtkPolyData& data) {
+  const std::string file = fmt::format("{}_{:05}.vtp", name, frames.size());
+  write_file(folder.path / "fields" / file, vtp_bytes(data));
+  frames.push_back({time, file});
+  write_file(folder.path / "fields" / fmt::format("{}.pvd", name), pvd_text(frames));
+}
+
+void write_distributions(ResultsFolder& folder, const State& state) {
+  if (folder.has_distributions || state.network.pores() == 0) return;
+  write_file(folder.path / "series" / "distributions.csv", distributions_csv(radius_distributions(state)));
+  folder.has_distributions = true;
+}
+
+void record_packing(ResultsFolder& folder, const Case& c, const State& state) {
+  write_distributions(folder, state);
+  if (c.output.fields) {
+    write_frame(folder, folder.grain_frames, "grains", 0.0, grain_fields(state));
+    const bool is_last = std::ranges::none_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); });
+    if (is_last && state.network.pores() > 0) {
+      write_frame(folder, folder.pore_frames, "pores", 0.0, pore_fields(state));
+      write_frame(folder, folder.throat_frames, "throats", 0.0, throat_fields(state, c.fluids));
+    }
+  }
+  folder.has_result = true;
+}
+
+void record_equilibrium(ResultsFolder& folder, const Case& c, const State& state, const RetentionRow& row) {
+  AppendFile& retention = series(folder, folder.retention, "retention.csv", retention_header);
+  series(folder, folder.events, "events.csv", events_header).flush();
+  retention.append(retention_line(row));
+  retention.flush();
+  write_distributions(folder, state);
+  if (c.output.fields && folder.equilibria % std::max(c.output.fields_every, 1) == 0) {
+    const double time = folder.equilibria;
+    if (folder.grain_frames.empty()) write_frame(folder, folder.grain_frames, "grains", time, grain_fields(state));
+    VtkPolyData pores = pore_fields(state);
+    VtkPolyData throats = throat_fields(state, c.fluids);
+    add_equilibrium(pores, row);
+    add_equilibrium(throats, row);
+    write_frame(folder, folder.pore_frames, "pores", time, pores);
+    write_frame(folder, folder.throat_frames, "throats", time, throats);
+  }
+  ++folder.equilibria;
+  folder.has_result = true;
+}
+
+void record_event(ResultsFolder& folder, const InvasionEvent& e) {
+  series(folder, folder.events, "events.csv", events_header).append(event_line(folder.events_seen++, e));
+}
+
+}  // namespace
+
+Observer recording_observer(ResultsFolder& folder, const Case& c) {
+  Observer observer;
+  observer.progress = [&folder](const Progress& p) {
+    record_progress(folder, p);
+    if (p.stage == "compact") record_compaction(folder, p);
+    return true;
+  };
+  observer.message = [&folder](std::string_view message) { record_message(folder, message); };
+  observer.packed = [&folder, &c](const State& state) { record_packing(folder, c, state); };
+  observer.equilibrium = [&folder, &c](const State& state, const RetentionRow& row) {
+    record_equilibrium(folder, c, state, row);
+  };
+  observer.event = [&folder](const State&, const InvasionEvent& e) { record_event(folder, e); };
+  return observer;
+}
+
+}  // namespace puadem

@@ -1,0 +1,88 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "puadem/io/report_data.hpp"
+#include "puadem/io/units.hpp"
+
+namespace puadem {
+namespace {
+
+using nlohmann::json;
+
+std::string yes_no(bool value) { return value ? "yes" : "no"; }
+
+std::string class_text(const GradingClass& g, Grading::By by) {
+  const std::string share = fmt::format("{:.4g} % {}", 100.0 * g.fraction, by == Grading::By::mass ? "by mass" : "by number");
+  if (g.diameter_min == g.diameter_max) return fmt::format("{}: {}", show(g.diameter_min, "m"), share);
+  return fmt::format("{} to {}: {}", show(g.diameter_min, "m"), show(g.diameter_max, "m"), share);
+}
+
+json grain_rows(const Case& c) {
+  json rows = json::array();
+  if (c.grains.file) {
+    rows.push_back({"Packing file", c.grains.file->filename().string()});
+  } else {
+    rows.push_back({"Grains", std::to_string(c.grains.count)});
+    for (const GradingClass& g : c.grains.grading.classes) rows.push_back({"Diameter", class_text(g, c.grains.grading.by)});
+  }
+  for (const Material& m : c.materials) {
+    if (m.name != c.grains.material) continue;
+    rows.push_back({"Material", m.name});
+    rows.push_back({"Density", show(m.density, "kg/m3")});
+    rows.push_back({"Young's modulus", show(m.youngs_modulus, "Pa")});
+    rows.push_back({"Poisson's ratio", fmt::format("{:.4g}", m.poisson_ratio)});
+    rows.push_back({"Friction angle", show(m.friction_angle, "rad")});
+  }
+  rows.push_back({"Contact law", c.contact.law == ContactOptions::Law::hertz_mindlin ? "Hertz–Mindlin" : "linear springs"});
+  return rows;
+}
+
+json fluid_rows(const Case& c) {
+  json rows = json::array(
+      {{"Surface tension γ", show(c.fluids.surface_tension, "N/m")}, {"Contact angle θ", show(c.fluids.contact_angle, "rad")}});
+  rows.push_back({"Entry pressure law", std::visit([](const auto& law) { return std::string(law.name); }, c.pores.entry_law)});
+  rows.push_back({"Merge ratio", std::isfinite(c.pores.merge_ratio) ? fmt::format("{:.4g}", c.pores.merge_ratio) : "no merging"});
+  return rows;
+}
+
+json stage_rows(const CompactStage& s) {
+  json rows = json::array({{"Stress", show(s.stress, "Pa")}});
+  if (s.porosity)
+    rows.push_back({"Porosity", fmt::format("{:.4g} in the {}", *s.porosity,
+                                            s.porosity_region == CompactStage::Region::core ? "core" : "whole box")});
+  rows.push_back({"At rest below an unbalanced force of", fmt::format("{:.4g}", s.unbalanced)});
+  rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
+  return rows;
+}
+
+json stage_rows(const RetentionStage& s) {
+  std::string path;
+  for (const double p : s.path) path += fmt::format("{}{}", path.empty() ? "" : " → ", show(p, "Pa"));
+  const InvasionOptions& o = s.invasion;
+  return json::array({{"Path of p_c", path},
+                      {"Output step", show(s.step, "Pa")},
+                      {"Non-wetting fluid enters at", std::string(face_names[to_size(o.nonwetting_face)])},
+                      {"Wetting fluid leaves at", std::string(face_names[to_size(o.wetting_face)])},
+                      {"Snap-off", yes_no(o.snap_off)},
+                      {"Trapping (wetting, non-wetting)", yes_no(o.trap_wetting) + ", " + yes_no(o.trap_nonwetting)},
+                      {"Corner films connect", yes_no(o.corner_films)},
+                      {"Corner water stays", yes_no(o.corner_water)},
+                      {"Invasion along walls", yes_no(o.wall_throats)}});
+}
+
+}  // namespace
+
+json case_json(const Case& c) {
+  json tables = json::array();
+  tables.push_back({{"title", "Grains"}, {"rows", grain_rows(c)}});
+  tables.push_back({{"title", "Fluids and pores"}, {"rows", fluid_rows(c)}});
+  int number = 0;
+  for (const Stage& stage : c.stages) {
+    const char* kind = std::holds_alternative<CompactStage>(stage) ? "compact" : "retention";
+    tables.push_back({{"title", fmt::format("Stage {}: {}", ++number, kind)},
+                      {"rows", std::visit([](const auto& s) { return stage_rows(s); }, stage)}});
+  }
+  return tables;
+}
+
+}  // namespace puadem

@@ -1,0 +1,155 @@
+#include "puadem/io/series_writer.hpp"
+
+#include <charconv>
+#include <map>
+
+#include "puadem/base/error.hpp"
+#include "puadem/io/text_file.hpp"
+
+namespace puadem {
+namespace {
+
+/// A CSV file as columns found by name. Fields are plain: our series quote nothing.
+class Table {
+ public:
+  explicit Table(const std::filesystem::path& path) : path_(path.string()) {
+    const std::string text = read_text_file(path);
+    int number = 0;
+    for (std::size_t at = 0; at < text.size();) {
+      std::size_t end = std::min(text.find('\n', at), text.size());
+      std::string line = text.substr(at, end - at);
+      at = end + 1;
+      ++number;
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      if (line.empty() || line.front() == '#') continue;
+      std::vector<std::string> fields = split(line);
+      if (columns_.empty()) {
+        for (int k = 0; k < size_of(fields); ++k) columns_[fields[to_size(k)]] = k;
+        width_ = size_of(fields);
+      } else {
+        require(size_of(fields) == width_, "{}:{}: {} fields where the header names {}", path_, number, fields.size(), width_);
+        rows_.push_back({number, std::move(fields)});
+      }
+    }
+    require(!columns_.empty(), "{}: no header line", path_);
+  }
+
+  int rows() const { return size_of(rows_); }
+  bool has(const std::string& column) const { return columns_.contains(column); }
+
+  const std::string& text(int row, const std::string& column) const {
+    const auto found = columns_.find(column);
+    require(found != columns_.end(), "{}: no column '{}'", path_, column);
+    return rows_[to_size(row)].fields[to_size(found->second)];
+  }
+
+  double number(int row, const std::string& column) const {
+    const std::string& field = text(row, column);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    require(error == std::errc{} && end == field.data() + field.size(), "{}:{}: '{}' in column '{}' is not a number", path_,
+            rows_[to_size(row)].number, field, column);
+    return value;
+  }
+
+  double number_or(int row, const std::string& column, double absent) const { return has(column) ? number(row, column) : absent; }
+
+ private:
+  struct Row {
+    int number;
+    std::vector<std::string> fields;
+  };
+
+  static std::vector<std::string> split(const std::string& line) {
+    std::vector<std::string> fields(1);
+    for (const char c : line)
+      if (c == ',')
+        fields.emplace_back();
+      else
+        fields.back() += c;
+    return fields;
+  }
+
+  std::string path_;
+  std::map<std::string, int> columns_;
+  int width_ = 0;
+  std::vector<Row> rows_;
+};
+
+void append_bins(std::string& csv, std::string_view kind, const std::vector<Bin>& bins) {
+  for (const Bin& b : bins) csv += fmt::format("{},{},{},{}\n", kind, b.low, b.high, b.density);
+}
+
+}  // namespace
+
+std::string_view event_name(InvasionEventKind kind) {
+  switch (kind) {
+    case InvasionEventKind::drain:
+      return "drain";
+    case InvasionEventKind::open_throat:
+      return "open_throat";
+    case InvasionEventKind::fill:
+      return "fill";
+    case InvasionEventKind::snap_off:
+      return "snap_off";
+    case InvasionEventKind::trap_wetting:
+      return "trap_wetting";
+    case InvasionEventKind::trap_nonwetting:
+      return "trap_nonwetting";
+    case InvasionEventKind::free_wetting:
+      return "free_wetting";
+    case InvasionEventKind::free_nonwetting:
+      return "free_nonwetting";
+  }
+  return "unknown";
+}
+
+std::string retention_line(const RetentionRow& r) {
+  return fmt::format("{},{},{},{},{},{},{}\n", r.step, r.branch, r.capillary_pressure, r.pc_star, r.saturation, r.trapped_wetting,
+                     r.trapped_nonwetting);
+}
+
+std::string event_line(long event, const InvasionEvent& e) {
+  return fmt::format("{},{},{},{},{},{},{}\n", event, event_name(e.kind), e.capillary_pressure, e.pore, e.throat, e.units,
+                     e.wetting_volume);
+}
+
+std::string compaction_line(const Progress& p) { return fmt::format("{},{},{}\n", p.step, p.time, p.unbalanced); }
+
+std::string distributions_csv(const RadiusDistributions& d) {
+  std::string csv(distributions_header);
+  append_bins(csv, "pore", d.pore);
+  append_bins(csv, "throat", d.throat);
+  return csv;
+}
+
+std::vector<RetentionRow> read_retention(const std::filesystem::path& path) {
+  const Table table(path);
+  std::vector<RetentionRow> rows;
+  for (int k = 0; k < table.rows(); ++k) {
+    RetentionRow row;
+    row.step = static_cast<int>(table.number_or(k, "step", k));
+    row.branch = table.has("branch") ? table.text(k, "branch") : "data";
+    row.capillary_pressure = table.number(k, "pc_Pa");
+    row.pc_star = table.number_or(k, "pc_star", 0.0);
+    row.saturation = table.number(k, "saturation");
+    row.trapped_wetting = table.number_or(k, "trapped_wetting", 0.0);
+    row.trapped_nonwetting = table.number_or(k, "trapped_nonwetting", 0.0);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+RadiusDistributions read_distributions(const std::filesystem::path& path) {
+  const Table table(path);
+  RadiusDistributions d;
+  for (int k = 0; k < table.rows(); ++k) {
+    const std::string& kind = table.text(k, "kind");
+    require(kind == "pore" || kind == "throat", "{}: kind '{}' is neither 'pore' nor 'throat'", path.string(), kind);
+    (kind == "pore" ? d.pore : d.throat)
+        .push_back({table.number(k, "bin_low"), table.number(k, "bin_high"), table.number(k, "pdf")});
+  }
+  return d;
+}
+
+}  // namespace puadem

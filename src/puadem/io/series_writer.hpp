@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "puadem/coupling/run.hpp"
+#include "puadem/io/distributions.hpp"
+
+namespace puadem {
+
+/// The series of a run: CSV with units in the header. Numbers are the shortest that read back to the
+/// same bits.
+inline constexpr std::string_view retention_header = "step,branch,pc_Pa,pc_star,saturation,trapped_wetting,trapped_nonwetting\n";
+inline constexpr std::string_view events_header = "event,kind,pc_Pa,pore,throat,units,wetting_volume_m3\n";
+inline constexpr std::string_view compaction_header = "step,time_s,unbalanced\n";
+inline constexpr std::string_view distributions_header = "kind,bin_low,bin_high,pdf\n";
+
+std::string retention_line(const RetentionRow& row);
+std::string event_line(long event, const InvasionEvent& e);
+std::string compaction_line(const Progress& p);
+std::string distributions_csv(const RadiusDistributions& d);  ///< header and lines
+
+/// The name of an event in series/events.csv.
+std::string_view event_name(InvasionEventKind kind);
+
+/// Reads a retention series back. Columns are found by name; only pc_Pa and saturation must be there,
+/// so a measured curve can be laid over a run. Lines that begin with '#' are skipped.
+/// @throws InputError with file and line
+std::vector<RetentionRow> read_retention(const std::filesystem::path& path);
+
+/// Reads series/distributions.csv back. @throws InputError with file and line
+RadiusDistributions read_distributions(const std::filesystem::path& path);
+
+}  // namespace puadem

@@ -1,0 +1,67 @@
+#include "puadem/io/vtk_fields.hpp"
+
+#include <limits>
+
+namespace puadem {
+
+VtkPolyData grain_fields(const State& state) {
+  const Particles& p = state.particles;
+  std::vector<std::int64_t> material(p.material.begin(), p.material.end());
+  material.resize(p.radius.size());
+  VtkPolyData data;
+  data.points = p.position;
+  data.point_data = {{"radius", p.radius}, {"material", std::move(material)}};
+  return data;
+}
+
+VtkPolyData pore_fields(const State& state) {
+  const PoreNetwork& n = state.network;
+  std::vector<double> saturation = state.saturation;
+  saturation.resize(n.pore_volume.size(), 1.0);
+  std::vector<std::uint8_t> wall(n.pore_volume.size());
+  for (std::size_t i = 0; i < wall.size(); ++i) wall[i] = i < n.pore_walls.size() && n.pore_walls[i] != 0;
+  VtkPolyData data;
+  data.points = n.pore_centre;
+  data.point_data = {{"radius", n.pore_radius},
+                     {"volume", n.pore_volume},
+                     {"saturation", std::move(saturation)},
+                     {"faces", std::vector<std::int64_t>(n.pore_faces.begin(), n.pore_faces.end())},
+                     {"wall", std::move(wall)}};
+  return data;
+}
+
+VtkPolyData throat_fields(const State& state, const Fluids& fluids) {
+  const PoreNetwork& n = state.network;
+  const std::size_t throats = n.throat_pores.size();
+  const Vec3 period = state.domain.size();
+  VtkPolyData data;
+  data.points.reserve(2 * throats);
+  data.lines.reserve(throats);
+  std::vector<double> radius(2 * throats), entry_pressure(throats);
+  std::vector<std::uint8_t> is_open(throats, 0), wall(throats, 0);
+  for (std::size_t t = 0; t < throats; ++t) {
+    const auto [i, j] = n.throat_pores[t];
+    Vec3 end = n.pore_centre[to_size(j)];
+    if (t < n.throat_shift.size())
+      for (int axis = 0; axis < 3; ++axis) end[axis] += n.throat_shift[t][to_size(axis)] * period[axis];
+    const int first = static_cast<int>(2 * t);
+    data.points.push_back(n.pore_centre[to_size(i)]);
+    data.points.push_back(end);
+    data.lines.push_back({first, first + 1});
+    radius[2 * t] = radius[2 * t + 1] = n.throat_radius[t];
+    entry_pressure[t] = n.throat_entry_radius[t] > 0 ? fluids.surface_tension / n.throat_entry_radius[t]
+                                                     : std::numeric_limits<double>::infinity();
+    if (state.invasion) is_open[t] = state.invasion->nonwetting.passes[t];
+    if (t < n.throat_at_wall.size()) wall[t] = n.throat_at_wall[t];
+  }
+  data.point_data = {{"radius", std::move(radius)}};
+  data.cell_data = {{"entry_pressure", std::move(entry_pressure)}, {"open", std::move(is_open)}, {"wall", std::move(wall)}};
+  return data;
+}
+
+void add_equilibrium(VtkPolyData& data, const RetentionRow& row) {
+  data.field_data.push_back({"capillary_pressure", std::vector<double>{row.capillary_pressure}});
+  data.field_data.push_back({"saturation", std::vector<double>{row.saturation}});
+}
+
+}  // namespace puadem

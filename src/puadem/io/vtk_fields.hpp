@@ -1,0 +1,25 @@
+#pragma once
+
+#include "puadem/coupling/state.hpp"
+#include "puadem/flow/fluids.hpp"
+#include "puadem/io/vtk_writer.hpp"
+
+namespace puadem {
+
+/// Grains as points with `radius` [m] and `material`.
+VtkPolyData grain_fields(const State& state);
+
+/// Pores as points at their centres with `radius` [m], `volume` [m3], `saturation` [-] (1 before the
+/// first equilibrium), `faces` and `wall` (1 at a wall of the box).
+VtkPolyData pore_fields(const State& state);
+
+/// Throats as lines between the centres of their pores: `radius` [m] on the points, so that tubes have
+/// the right width; `entry_pressure` [Pa] (infinite where never entered), `open` and `wall` on the
+/// lines, `open` being 1 where the non-wetting fluid passes. A throat across a periodic face ends at the image of its second
+/// pore.
+VtkPolyData throat_fields(const State& state, const Fluids& fluids);
+
+/// Writes what a file as a whole knows: `capillary_pressure` [Pa] and `saturation` of the equilibrium.
+void add_equilibrium(VtkPolyData& data, const RetentionRow& row);
+
+}  // namespace puadem

@@ -1,0 +1,86 @@
+// Builds the report page from the data in it.
+import { distributionFigures } from "./distributions.js";
+import { element, label, number, table } from "./dom.js";
+import { fitTable, loopTable, retentionFigure } from "./retention.js";
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const { manifest, runs } = data;
+const root = document.documentElement;
+window.addEventListener("error", (event) => { root.dataset.error = event.message; });
+
+function header() {
+  const failed = manifest.checks.filter((check) => !check.passed).length;
+  const pill = manifest.exit_code !== 0 ? element("span", { class: "pill bad" }, "stopped early")
+    : failed > 0 ? element("span", { class: "pill bad" }, `${failed} of ${manifest.checks.length} checks failed`)
+    : element("span", { class: "pill good" }, manifest.checks.length > 0 ? `all ${manifest.checks.length} checks passed` : "finished");
+  const facts = [manifest.started_utc.replace("T", " ").replace("Z", " UTC"), `seed ${manifest.seed}`, `${number(manifest.wall_time_s, 3)} s`, `puadem ${manifest.version}`];
+  return element("header", {}, element("div", { class: "kicker" }, "Simulation report"), element("h1", {}, data.title),
+    element("div", { class: "meta" }, pill, facts.flatMap((fact) => [element("span", { class: "sep" }, "·"), fact])),
+    manifest.error ? element("div", { class: "banner bad" }, element("b", {}, "The run stopped: "), manifest.error) : null,
+    manifest.warnings.length === 0 ? null : element("div", { class: "banner" }, element("b", {}, manifest.warnings.length === 1 ? "Warning" : "Warnings"),
+      element("ul", {}, manifest.warnings.map((warning) => element("li", {}, warning)))),
+    data.highlights.length === 0 ? null : element("dl", { class: "highlights" }, data.highlights.map((h) => element("div", {}, element("dt", {}, label(h.label)),
+      element("dd", { class: "value" }, h.value), element("dd", { class: "note" }, label(h.note))))));
+}
+
+const section = (title, ...content) => element("section", {}, element("h2", {}, title), content);
+
+function checksTable() {
+  const rows = manifest.checks.map((check) => [check.name, { text: number(check.value, 6), class: "" }, check.bound,
+    { text: check.passed ? "✓ holds" : "✗ fails", class: check.passed ? "mark good" : "mark bad" }]);
+  return rows.length === 0 ? null : table("Checks", [{ head: "What" }, { head: "value", number: true }, { head: "must be" }, { head: "" }], rows);
+}
+
+function ledgerTable() {
+  const ledger = manifest.ledger;
+  if (!(ledger.void_volume_m3 > 0)) return null;
+  const row = (name, key) => [name, ...["start", "in", "out", "end"].map((part) => number(ledger[`${key}_${part}_m3`] * 1e9, 6)), number(ledger[`${key}_error`], 2)];
+  return table("Volume ledger of the counted pores (mm³)", [{ head: "Fluid" }, { head: "start", number: true }, { head: "in", number: true },
+    { head: "out", number: true }, { head: "end", number: true }, { head: "error / void", number: true }], [row("Wetting", "wetting"), row("Non-wetting", "nonwetting")]);
+}
+
+const factTable = ({ title, rows }) => table(title, [{}, {}], rows.map(([what, value]) => [label(what), value]), "facts");
+
+const scalarList = () => data.scalars.map(([name, value]) => element("div", { class: "scalar" }, element("code", {}, name), element("span", {}, value)));
+
+function source(title, text) {
+  return text ? element("details", {}, element("summary", {}, title), element("pre", {}, text)) : null;
+}
+
+function footer() {
+  const m = manifest;
+  const rows = [["Program", `puadem ${m.version}, commit ${m.commit}`], ["Built with", `${m.compiler}, ${m.build_type}: ${m.flags}`],
+    ["Libraries", Object.entries(m.libraries).map(([name, version]) => `${name} ${version}`).join(", ")],
+    ["Machine", `${m.cpu}, ${m.threads} ${m.threads === 1 ? "thread" : "threads"}`], ["Wall time, peak memory", `${number(m.wall_time_s, 3)} s, ${number(m.peak_memory_bytes / 2 ** 20, 3)} MiB`],
+    ["Case hash, state hash", `${m.case_hash}, ${m.state_hash}`], ["Folder", data.folder]];
+  return element("footer", {}, element("dl", {}, rows.flatMap(([what, value]) => [element("dt", {}, what), element("dd", {}, value)])),
+    element("p", {}, "Retention curves: M. Th. van Genuchten, Soil Sci. Soc. Am. J. 44, 892–898 (1980), S = S", element("sub", {}, "r"), " + (S", element("sub", {}, "s"), " − S", element("sub", {}, "r"), ")[1 + (αp", element("sub", {}, "c"), ")ⁿ]^(1/n − 1)",
+      ". Charts: plotly.js, MIT licence. This file asks no server for anything."));
+}
+
+function build() {
+  const page = document.getElementById("page");
+  const figures = [];
+  const grid = (name, ...content) => element("div", { class: name }, content);
+  page.replaceChildren(header());
+  if (runs.some((run) => run.branches.length > 0)) {
+    const loop = retentionFigure(runs);
+    figures.push(loop);
+    page.append(section("Retention", loop.node, grid("tables uneven", fitTable(runs), loopTable(runs))));
+  }
+  if (runs.some((run) => run.pore.low.length > 0)) {
+    const pair = distributionFigures(runs);
+    figures.push(...pair);
+    page.append(section("Pores and throats", grid("pair", pair.map((f) => f.node))));
+  }
+  const judged = [checksTable(), ledgerTable()].filter(Boolean);
+  if (judged.length > 0) page.append(section("Checks and balance", grid("tables", judged)));
+  if (data.facts.length > 0) page.append(section("Packing and pore network", grid("pair", data.facts.map(factTable))));
+  if (data.scalars.length > 0) page.append(element("details", {}, element("summary", {}, `All ${data.scalars.length} results by name`), grid("columns", scalarList())));
+  page.append(section("Case", grid("triple", data.case.map(factTable)), source("Case file", data.case_text), source("Resolved case, SI units", data.resolved_text)));
+  page.append(footer());
+  // Figures are drawn once they are in the page and have a size.
+  return Promise.all(figures.map((f) => f.redraw())).then(() => { root.dataset.figures = figures.length; });
+}
+
+build().then(() => { root.dataset.rendered = "yes"; }, (error) => { root.dataset.error = String(error); throw error; });
