@@ -45,6 +45,7 @@ struct Ledger {
 struct RunResults {
   std::map<std::string, double> scalars;  ///< "porosity_core", "pc_star_half_drainage-1", ...
   Ledger ledger;
+  bool interrupted = false;               ///< the observer asked to stop before the end
 };
 
 /// All stages of a case.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "puadem/dem/particles.hpp"
+#include "puadem/flow/invasion.hpp"
 #include "puadem/flow/retention_curve.hpp"
 #include "puadem/geometry/domain.hpp"
 #include "puadem/network/pore_network.hpp"
@@ -16,6 +18,7 @@ struct State {
   Domain domain;
   Particles particles;
   PoreNetwork network;               ///< empty until a stage needs it
+  std::optional<InvasionState> invasion;  ///< both fluids in the network, once a retention stage has begun
   std::vector<double> saturation;    ///< per pore, wetting fluid [-]
   std::vector<RetentionRow> retention;  ///< equilibria so far
 };

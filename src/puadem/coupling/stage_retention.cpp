@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <ranges>
+#include <span>
+
+#include "puadem/base/error.hpp"
+#include "puadem/coupling/stages.hpp"
+#include "puadem/flow/retention_path.hpp"
+#include "puadem/network/pore_units.hpp"
+
+namespace puadem {
+
+namespace {
+
+/// Sum over the counted pores [m3].
+double counted_sum(const InvasionState& invasion, const std::vector<double>& volume) {
+  double sum = 0.0;
+  for (int p = 0; p < size_of(volume); ++p)
+    if (invasion.is_counted(p)) sum += volume[to_size(p)];
+  return sum;
+}
+
+void describe_network(const PoreNetwork& network, const InvasionState& invasion, RunResults& results) {
+  auto& s = results.scalars;
+  s["tetrahedra"] = network.triangulation.cells();
+  s["pores"] = network.pores();
+  s["throats"] = network.throats();
+  s["pores_reservoir"] = network.pores() - static_cast<int>(std::ranges::count_if(
+                                               std::views::iota(0, network.pores()), [&](int p) { return invasion.is_counted(p); }));
+  s["void_counted_m3"] = invasion.void_volume;
+  for (const auto& [name, kind] : {std::pair{"throats_meniscus", EntryKind::meniscus}, {"throats_wide_edge", EntryKind::wide_edge},
+                                   {"throats_half_gap", EntryKind::half_gap}, {"throats_inscribed", EntryKind::inscribed},
+                                   {"throats_closed", EntryKind::closed}})
+    s[name] = static_cast<double>(std::ranges::count(network.throat_entry_kind, kind));
+}
+
+/// What is said of each branch, and of each loop of two neighbouring branches.
+void describe_curves(const std::vector<RetentionRow>& rows, RunResults& results) {
+  auto& s = results.scalars;
+  std::span<const RetentionRow> before;
+  for (std::size_t first = 0; first < rows.size();) {
+    std::size_t last = first;
+    while (last < rows.size() && rows[last].branch == rows[first].branch) ++last;
+    const auto branch = std::span(rows).subspan(first, last - first);
+    const std::string& name = rows[first].branch;
+    if (const auto half = capillary_pressure_at(branch, 0.5)) {
+      s["pc_half_" + name + "_Pa"] = *half;
+      s["pc_star_half_" + name] = branch.front().capillary_pressure > 0.0 || branch.back().capillary_pressure > 0.0
+                                      ? *half * branch.back().pc_star / branch.back().capillary_pressure
+                                      : 0.0;
+    }
+    s["saturation_end_" + name] = branch.back().saturation;
+    s["trapped_wetting_end_" + name] = branch.back().trapped_wetting;
+    s["trapped_nonwetting_end_" + name] = branch.back().trapped_nonwetting;
+    if (!before.empty()) s["loop_area_" + before.front().branch + "_" + name + "_Pa"] = std::abs(loop_area(before, branch));
+    before = branch;
+    first = last;
+  }
+}
+
+}  // namespace
+
+void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer, RunResults& results) {
+  require(state.particles.size() > 0, "a retention stage needs a packing: put a stage of kind 'compact' before it or name a packing file in grains.file");
+  const auto report = [&](std::string_view name, double fraction, double pressure, double saturation) {
+    Progress progress;
+    progress.stage = name;
+    progress.fraction = fraction;
+    progress.capillary_pressure = pressure;
+    progress.saturation = saturation;
+    progress.step = size_of(state.retention);
+    if (observer.progress && !observer.progress(progress)) throw Interrupted{};
+  };
+
+  report("network", 0.0, 0.0, 1.0);
+  NetworkOptions options = c.pores;
+  options.contact_angle = c.fluids.contact_angle;
+  state.network = build_pore_network(state.particles.position, state.particles.radius, state.domain, options);
+  state.invasion = start_invasion(state.network, c.fluids, stage.invasion);
+  state.saturation = saturation(state.network, *state.invasion);
+  state.retention.clear();
+  describe_network(state.network, *state.invasion, results);
+  if (observer.packed) observer.packed(state);
+
+  InvasionState& invasion = *state.invasion;
+  results.ledger.void_volume = invasion.void_volume;
+  results.ledger.wetting_start = counted_sum(invasion, invasion.wetting_volume);
+  results.ledger.nonwetting_start = invasion.void_volume - results.ledger.wetting_start;
+
+  RetentionPath path;
+  path.turning_points = stage.path;
+  path.step = stage.step;
+  path.mean_grain_radius =
+      std::accumulate(state.particles.radius.begin(), state.particles.radius.end(), 0.0) / state.particles.size();
+  const auto stops = static_cast<double>(retention_stops(path).size());
+  std::array<int, 8> events{};
+  follow_path(
+      state.network, c.fluids, path, invasion,
+      [&](const RetentionRow& row) {
+        state.retention.push_back(row);
+        state.saturation = saturation(state.network, invasion);
+        if (observer.equilibrium) observer.equilibrium(state, row);
+        report("retention", size_of(state.retention) / stops, row.capillary_pressure, row.saturation);
+        return true;
+      },
+      [&](const InvasionEvent& event) {
+        ++events[static_cast<std::size_t>(event.kind)];
+        if (observer.event) observer.event(state, event);
+      });
+
+  results.ledger.wetting_in = invasion.ledger.wetting_in.value();
+  results.ledger.wetting_out = invasion.ledger.wetting_out.value();
+  results.ledger.nonwetting_in = invasion.ledger.nonwetting_in.value();
+  results.ledger.nonwetting_out = invasion.ledger.nonwetting_out.value();
+  results.ledger.wetting_end = counted_sum(invasion, invasion.wetting_volume);
+  std::vector<double> nonwetting(state.network.pore_volume);
+  for (std::size_t p = 0; p < nonwetting.size(); ++p) nonwetting[p] -= invasion.wetting_volume[p];
+  results.ledger.nonwetting_end = counted_sum(invasion, nonwetting);
+  results.scalars["ledger_wetting_error"] = results.ledger.wetting_error();
+  results.scalars["ledger_nonwetting_error"] = results.ledger.nonwetting_error();
+  constexpr std::array names{"drain", "open_throat", "fill", "snap_off", "trap_wetting", "trap_nonwetting", "free_wetting", "free_nonwetting"};
+  for (std::size_t k = 0; k < names.size(); ++k) results.scalars[std::string("events_") + names[k]] = events[k];
+  describe_curves(state.retention, results);
+}
+
+}  // namespace puadem
