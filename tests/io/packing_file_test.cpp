@@ -47,7 +47,7 @@ TEST(PackingFile, EveryBitComesBack) {
   }
   const TemporaryFolder folder;
   write_packing(folder.path / "p.csv", centre, radius, box);
-  const Packing back = read_packing(folder.path / "p.csv");
+  const PackingFile back = read_packing(folder.path / "p.csv");
   EXPECT_EQ(back.box, box);
   EXPECT_EQ(back.centre, centre);
   EXPECT_EQ(back.radius, radius);

@@ -38,7 +38,7 @@ class PackingParser {
  public:
   PackingParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  Packing parse() {
+  PackingFile parse() {
     for (std::size_t begin = 0; begin < text_.size(); ++line_) {
       const std::size_t end = std::min(text_.find('\n', begin), text_.size());
       read_line(text_.substr(begin, end - begin));
@@ -65,7 +65,7 @@ class PackingParser {
   int line_ = 1;
   bool has_box_ = false;
   bool has_row_ = false;
-  Packing packing_;
+  PackingFile packing_;
   std::vector<int> line_of_;              // of each sphere
   std::vector<std::string_view> row_of_;  // text of each sphere
   std::vector<std::string> errors_;
@@ -200,9 +200,9 @@ class PackingParser {
 
 }  // namespace
 
-Packing parse_packing(std::string_view text, const std::string& name) { return PackingParser(text, name).parse(); }
+PackingFile parse_packing(std::string_view text, const std::string& name) { return PackingParser(text, name).parse(); }
 
-Packing read_packing(const std::filesystem::path& path) { return parse_packing(read_text_file(path), path.string()); }
+PackingFile read_packing(const std::filesystem::path& path) { return parse_packing(read_text_file(path), path.string()); }
 
 std::string packing_text(std::span<const Vec3> centre, std::span<const double> radius, const Domain& box) {
   assert(centre.size() == radius.size());

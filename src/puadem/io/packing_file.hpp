@@ -12,7 +12,7 @@
 namespace puadem {
 
 /// Spheres in a box, as a packing file holds them.
-struct Packing {
+struct PackingFile {
   Domain box;                         ///< lower corner at the origin, no periodic direction
   std::vector<Vec3> centre;           ///< [m]
   std::vector<double> radius;         ///< [m]
@@ -25,10 +25,10 @@ struct Packing {
 /// @throws InputError naming the lines of every fault: no box, a wrong number of columns, a text that is
 ///         no finite number, a radius that is not positive, a centre outside the box, two spheres at one
 ///         place, a sphere inside another, an overlap deeper than half the smaller radius
-Packing read_packing(const std::filesystem::path& path);
+PackingFile read_packing(const std::filesystem::path& path);
 
 /// The same for a text that is in memory; `name` stands for the file in messages.
-Packing parse_packing(std::string_view text, const std::string& name);
+PackingFile parse_packing(std::string_view text, const std::string& name);
 
 /// Packing file as text. Every number reads back to the same bits. The lower corner of the box becomes
 /// the origin.
