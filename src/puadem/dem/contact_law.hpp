@@ -1,13 +1,41 @@
 #pragma once
 
+#include <concepts>
+#include <optional>
+#include <variant>
+
+#include "puadem/dem/contact_laws/hertz_mindlin.hpp"
+#include "puadem/dem/contact_laws/linear_spring.hpp"
+
 namespace puadem {
 
 /// Contact options of a case.
 struct ContactOptions {
   enum class Law { linear_spring, hertz_mindlin };
+  enum class WallElasticity { material, rigid };  ///< a wall of the grains' own constants, or one that does not yield
   Law law = Law::hertz_mindlin;
   double stiffness_ratio = 0.4;  ///< k_s / k_n of the linear law [-]
   double wall_friction = 0.0;    ///< mu between grains and walls [-]
+  WallElasticity wall_elasticity = WallElasticity::material;
+  std::optional<double> restitution;  ///< coefficient of normal restitution in (0, 1]; none: no viscous part
 };
+
+/// What a law of contact gives: a normal force and two tangent stiffnesses as functions of the overlap.
+/// All else (slip, rotation of the history, Coulomb limit, viscous part) is the same for every law and
+/// stands once, in contact_forces.cpp. `damping_factor` is c / (beta sqrt(m* k_n)), theory dem 8.
+template <class Law>
+concept ContactLaw = requires(const PairConstants<double>& pair, double length) {
+  { Law::damping_factor } -> std::convertible_to<double>;
+  { Law::stiffness_ratio(pair) } -> std::same_as<double>;  // k_s / k_n, the same at every overlap
+  { Law::respond(pair, length, length, length) } -> std::same_as<ContactResponse<double>>;
+};
+
+/// Every law a case file can name.
+using AnyContactLaw = std::variant<LinearSpring, HertzMindlin>;
+
+inline AnyContactLaw contact_law(ContactOptions::Law law) {
+  if (law == ContactOptions::Law::linear_spring) return LinearSpring{};
+  return HertzMindlin{};
+}
 
 }  // namespace puadem

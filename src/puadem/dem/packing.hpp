@@ -1,8 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
+
+#include "puadem/dem/contact_law.hpp"
+#include "puadem/dem/material.hpp"
+#include "puadem/dem/particles.hpp"
+#include "puadem/dem/stress.hpp"
+#include "puadem/geometry/domain.hpp"
 
 namespace puadem {
 
@@ -19,5 +27,84 @@ struct Grading {
   By by = By::mass;
   std::vector<GradingClass> classes;
 };
+
+/// Radii [m] of `count` grains that follow the grading: every class gets the whole number of grains that
+/// comes nearest to its share, their sizes evenly spread over its part of the curve and set so that
+/// its mass is met. In random order.
+/// @throws InputError  bounds or shares out of range, shares that do not add to 1, a class left without a grain
+std::vector<double> grain_radii(const Grading& grading, int count, std::uint64_t seed);
+
+/// Largest relative error of the share of a class, by the grading's own measure [-].
+double grading_error(const Grading& grading, std::span<const double> radii);
+
+/// How a cloud becomes a packing.
+struct CompactionOptions {
+  enum class Region { core, box };
+  double stress = 10e3;            ///< isotropic [Pa]
+  std::optional<double> porosity;  ///< target [-]; none: whatever the friction gives
+  Region region = Region::core;    ///< core: farther than one largest diameter from every wall
+  double unbalanced = 1e-3;        ///< ratio at which the packing is at rest [-]
+  double damping = 0.4;            ///< Cundall damping [-]
+  double safety = 0.5;             ///< share of the critical time step [-]
+  long max_steps = 2'000'000;
+};
+
+/// What a compaction has reached.
+struct CompactionReport {
+  double porosity_core = 0.0;  ///< NaN where the box is too small for a core
+  double porosity_box = 0.0;
+  double mean_stress = 0.0;      ///< [Pa]
+  Vec3 axis_stress;              ///< on the walls of an axis, or of the contacts along a periodic axis [Pa]
+  double unbalanced = 0.0;       ///< [-]
+  double coordination = 0.0;     ///< [-]
+  double friction_used = 0.0;    ///< lowest friction between grains on the way, mu [-]
+  double grading_error = 0.0;    ///< [-]
+  double largest_overlap = 0.0;  ///< share of the smaller radius [-]
+  double time_step = 0.0;        ///< last [s]
+  long steps = 0;
+  int list_builds = 0;
+};
+
+/// Where a compaction stands. Return false to stop: the result is then not at rest, but whole.
+struct CompactionProgress {
+  long step = 0;
+  double porosity = 0.0;    ///< of the region asked for [-]
+  double stress = 0.0;      ///< mean [Pa]
+  double unbalanced = 0.0;  ///< [-]
+  double fraction = 0.0;    ///< of the work, roughly, in [0, 1]
+};
+using CompactionCallback = std::function<bool(const CompactionProgress&)>;
+
+/// What to pack.
+struct PackingSource {
+  Grading grading;
+  int count = 1000;
+  int material = 0;     ///< index of the grains' material
+  Vec3 shape{1, 1, 1};  ///< proportions of the box [-]
+  std::array<bool, 3> periodic{false, false, false};
+  std::uint64_t seed = 1;
+};
+
+struct Packing {
+  Particles particles;
+  Domain domain;  ///< lower corner at the origin
+  CompactionReport report;
+};
+
+/// A random cloud of the grading, without overlaps, at a solid fraction of 0.3.
+Packing random_cloud(const PackingSource& source, std::span<const Material> materials);
+
+/// A packing at rest under an isotropic stress (theory dem 15): a random cloud is strained with its box
+/// until it carries the stress; the friction between grains, lowered step by step, brings the porosity
+/// down to the target and is then restored. Grain sizes are never changed.
+/// @throws InputError      a target that the grading, the friction or the count cannot reach, with the reachable value
+/// @throws NumericalError  no rest within `max_steps`
+Packing make_packing(const PackingSource& source, std::span<const Material> materials, const ContactOptions& contact,
+                     const CompactionOptions& options, const CompactionCallback& callback = {});
+
+/// Contacts, stresses and unbalanced force of a given packing at rest in a given box; sets the forces.
+/// @throws InputError  a grain outside the box
+GrainMeasures evaluate_packing(Particles& particles, const Domain& domain, std::span<const Material> materials,
+                               const ContactOptions& contact);
 
 }  // namespace puadem

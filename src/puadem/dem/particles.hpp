@@ -1,15 +1,17 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "puadem/base/parallel.hpp"
 #include "puadem/base/vec3.hpp"
+#include "puadem/dem/material.hpp"
 
 namespace puadem {
 
-/// Grains: one entry per sphere, SI units. Owned grains first, ghosts (periodic images) after them;
-/// ghosts are refreshed from their owner and never integrated. The place of an owned grain in the
-/// arrays is its identity: files, contacts and the pore network name grains by it.
+/// Grains: one entry per sphere, SI units. The place of a grain in the arrays is its identity: files,
+/// contacts and the pore network name grains by it. Images across periodic faces are private to the
+/// grain engine and never stand here.
 struct Particles {
   std::vector<Vec3> position;          ///< [m]
   std::vector<Vec3> velocity;          ///< [m/s]
@@ -23,5 +25,10 @@ struct Particles {
 
   int size() const { return size_of(radius); }
 };
+
+/// Grains at rest from places and radii, all of one material. Fills mass and inertia.
+/// @throws InputError  a radius that is not positive, or sizes of the two lists that differ
+Particles make_particles(std::span<const Vec3> position, std::span<const double> radius, const Material& material,
+                         int material_index = 0);
 
 }  // namespace puadem

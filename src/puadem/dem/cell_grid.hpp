@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "puadem/base/vec3.hpp"
+#include "puadem/dem/lanes.hpp"
+
+namespace puadem {
+
+/// Spheres sorted into cubic cells. Two spheres closer than the cell width lie in neighbouring cells.
+struct CellGrid {
+  Vec3 origin;
+  double width = 0.0;  ///< [m]
+  int nx = 0, ny = 0, nz = 0;
+  std::vector<int> start;    ///< spheres of cell c: [start[c], start[c + 1])
+  std::vector<int> sphere;   ///< ascending within a cell
+  std::vector<Lanes> place;  ///< of those spheres: x, y, z, radius
+
+  int cell_along(double x, double low, int n) const {
+    const int c = static_cast<int>((x - low) / width);
+    return c < 0 ? 0 : c >= n ? n - 1 : c;
+  }
+  int cell_x(double x) const { return cell_along(x, origin.x, nx); }
+  int cell_y(double y) const { return cell_along(y, origin.y, ny); }
+  int cell_z(double z) const { return cell_along(z, origin.z, nz); }
+  int index(int i, int j, int k) const { return (k * ny + j) * nx + i; }
+};
+
+/// @param place  x, y, z, radius of every sphere
+/// @param width  least width of a cell [m]; a larger one is taken where cells would outnumber spheres
+CellGrid make_cell_grid(std::span<const Lanes> place, double width);
+
+/// Calls `visit(b)` for every sphere b of the cells around `a` with |x_a - x_b| < r_a + r_b + margin.
+template <class Visit>
+void for_each_near(const CellGrid& grid, const Lanes& a, double margin, const Visit& visit) {
+  const int ci = grid.cell_x(a[0]), cj = grid.cell_y(a[1]), ck = grid.cell_z(a[2]);
+  for (int k = ck > 0 ? ck - 1 : 0; k <= ck + 1 && k < grid.nz; ++k)
+    for (int j = cj > 0 ? cj - 1 : 0; j <= cj + 1 && j < grid.ny; ++j) {
+      const int from = grid.index(ci > 0 ? ci - 1 : 0, j, k), to = grid.index(ci + 1 < grid.nx ? ci + 1 : ci, j, k);
+      const int end = grid.start[static_cast<std::size_t>(to) + 1];
+      for (int e = grid.start[static_cast<std::size_t>(from)]; e < end; ++e) {
+        const Lanes& b = grid.place[static_cast<std::size_t>(e)];
+        const Lanes d = a - b;
+        const double reach = a[3] + b[3] + margin;
+        if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach) visit(grid.sphere[static_cast<std::size_t>(e)]);
+      }
+    }
+}
+
+}  // namespace puadem

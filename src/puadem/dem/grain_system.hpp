@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "puadem/dem/contact_law.hpp"
+#include "puadem/dem/lanes.hpp"
+#include "puadem/dem/material.hpp"
+#include "puadem/dem/particles.hpp"
+#include "puadem/dem/walls.hpp"
+#include "puadem/geometry/domain.hpp"
+
+namespace puadem {
+
+/// All that a contact asks of a grain, in two cache lines. The velocities are those of the half step
+/// behind the position, so that the last displacement is `velocity * time_step` to the last bit.
+struct alignas(128) GrainRecord {
+  Lanes place;  ///< x, y, z [m], radius [m]
+  Lanes drift;  ///< velocity [m/s], mass [kg]
+  Lanes turn;   ///< tan(|w| dt / 2) w / |w| of the last step [-], material
+  Lanes spin;   ///< angular velocity w [rad/s], moment of inertia [kg m2]
+};
+
+/// Force and moment of one contact, written by the contact and read by both grains.
+struct alignas(64) ContactSlot {
+  Lanes force;   ///< on the second grain [N], normal force F_n [N]
+  Lanes moment;  ///< normal x shear force [N]; times -R it is the torque on either grain; tangent stiffness k_n [N/m]
+};
+
+/// Candidate contacts in blocks of four; a block is padded with the dummy record. Between grains the first
+/// has the lower identity, so that a contact has one orientation however the records are sorted. A
+/// contact with a wall names the grain as second.
+struct ContactBlocks {
+  std::vector<std::array<int, 4>> first;  ///< record indices; for wall contacts the wall
+  std::vector<std::array<int, 4>> second;
+  std::vector<LaneVec3> shear;     ///< history: shear force on the second grain [N]
+  std::vector<std::uint8_t> live;  ///< is any slot or history of the block not zero?
+  int size() const { return size_of(first); }
+};
+
+/// How grains are moved.
+struct MotionOptions {
+  double damping = 0.0;          ///< lambda of Cundall's local damping [-]
+  Vec3 gravity{};                ///< [m/s2]
+  double safety = 0.3;           ///< share of the critical time step [-]
+  bool strain_with_box = false;  ///< grains follow the box: its rate of strain acts on all of them at once
+};
+
+/// What the grain engine holds between steps: plain data, worked on by the free functions of this module.
+/// Grains live in `record`, sorted along a space-filling curve; `identity` leads back to `Particles`.
+struct GrainSystem {
+  Domain domain;
+  Vec3 box_rate;  ///< velocity of the upper corner, the lower one stands [m/s]
+  std::vector<Wall> walls;
+  MaterialPairs pairs;
+  ContactOptions contact;
+  AnyContactLaw law;
+  MotionOptions motion;
+  double time_step = 0.0;  ///< [s]
+  long steps = 0;
+  std::vector<Vec3> external_force;  ///< by identity [N]; empty: none
+
+  int owned = 0;  ///< grains; images follow them, then one dummy
+  std::vector<GrainRecord> record;
+  std::vector<int> identity;                    ///< of every owned grain and image
+  std::vector<int> image_owner;                 ///< record of the grain that image k repeats
+  std::vector<std::array<int, 3>> image_shift;  ///< in box lengths
+
+  double skin = 0.0;            ///< of the neighbour list [m]
+  double slack = 0.0;           ///< bound on the approach since the list was made [m]
+  double drift_limit = 0.0;     ///< largest speed relative to the box in the last step [m/s]
+  std::vector<Vec3> listed_at;  ///< positions at which the list was made, by record [m]
+  Domain listed_in;             ///< the box then
+  std::vector<Vec3> walls_listed_at;
+  long listed_step = 0;
+  int list_builds = 0;
+
+  ContactBlocks grain_contacts;
+  ContactBlocks wall_contacts;
+  std::vector<int> wall_start;    ///< blocks of wall w: wall_start[w] .. wall_start[w + 1]
+  std::vector<ContactSlot> slot;  ///< of grain contacts, then of wall contacts
+  std::vector<int> row_start;     ///< slots of record k: row[row_start[k]] .. row[row_start[k + 1]], by identity of the partner
+  std::vector<int> row;           ///< 2 * slot + (is the grain the second one)
+};
+
+/// A system that holds `particles` in a box with six walls or periodic faces, list and forces not yet made.
+/// @throws InputError  a grain outside the box, a periodic box narrower than two of the largest grains
+GrainSystem make_grain_system(const Particles& particles, const Domain& domain, std::span<const Material> materials,
+                              const ContactOptions& contact, const MotionOptions& motion);
+
+/// Writes places, velocities, resultant forces and torques back in order of identity.
+void collect(const GrainSystem& system, Particles& particles);
+
+inline double radius_of(const GrainRecord& r) { return r.place[3]; }
+inline double mass_of(const GrainRecord& r) { return r.drift[3]; }
+inline double inertia_of(const GrainRecord& r) { return r.spin[3]; }
+inline Vec3 vec3(const Lanes& a) { return {a[0], a[1], a[2]}; }
+
+}  // namespace puadem

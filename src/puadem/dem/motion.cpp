@@ -1,0 +1,202 @@
+#include "puadem/dem/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "puadem/base/error.hpp"
+#include "puadem/dem/contact_forces.hpp"
+#include "puadem/dem/contacts.hpp"
+#include "puadem/dem/neighbour_list.hpp"
+
+namespace puadem {
+
+namespace {
+
+constexpr int grains_per_chunk = 512;
+
+struct MotionLoop {
+  GrainRecord* record;
+  const ContactSlot* slot;
+  const int* row_start;
+  const int* row;
+  const int* identity;
+  const Vec3* external;  ///< by identity, or null
+  Lanes gravity;
+  Lanes lower;
+  Lanes strain_rate;  ///< of the homogeneous field that damping does not act on [1/s]
+  double time_step;
+  double damping;
+};
+
+/// Local damping takes a share of every component of the force that does work and adds it to one that
+/// is worked against (Cundall and Strack 1979).
+PUADEM_INLINE Lanes damped(const Lanes& acceleration, const Lanes& velocity, double dt, double damping) {
+  const Lanes power = acceleration * (velocity + 0.5 * dt * acceleration);
+  const Lanes zero{};
+  return acceleration * (power > zero ? broadcast(1.0 - damping) : (power < zero ? broadcast(1.0 + damping) : broadcast(1.0)));
+}
+
+/// @return largest squared speed relative to the box
+PUADEM_CLONES double move_chunk(const MotionLoop& loop, int begin, int end) {
+  const Lanes in_space{1.0, 1.0, 1.0, 0.0};
+  const double dt = loop.time_step;
+  double fastest = 0.0;
+  for (int k = begin; k < end; ++k) {
+    const SlotSum sum = sum_slots(loop.slot, loop.row, loop.row_start[k], loop.row_start[k + 1]);
+    GrainRecord& r = loop.record[k];
+    Lanes force = sum.force;
+    if (loop.external != nullptr) {
+      const Vec3& f = loop.external[loop.identity[k]];
+      force += Lanes{f.x, f.y, f.z, 0.0};
+    }
+    const Lanes acceleration = in_space * (force * broadcast(1.0 / r.drift[3]) + loop.gravity);
+    const Lanes angular = in_space * (sum.moment * broadcast(-r.place[3] / r.spin[3]));
+    const Lanes field = loop.strain_rate * (r.place - loop.lower);
+    r.drift += dt * damped(acceleration, in_space * r.drift - field, dt, loop.damping);
+    r.spin += dt * damped(angular, r.spin, dt, loop.damping);
+    const Lanes relative = in_space * r.drift - field;
+    r.place += dt * in_space * r.drift;
+    const Lanes half = (0.5 * dt) * in_space * r.spin;  // to its tangent: tan(x) / x in powers of x^2
+    const double x2 = half[0] * half[0] + half[1] * half[1] + half[2] * half[2];
+    const double ratio = 1.0 + x2 * (1.0 / 3.0 + x2 * (2.0 / 15.0 + x2 * (17.0 / 315.0)));
+    r.turn = half * broadcast(ratio) + Lanes{0.0, 0.0, 0.0, r.turn[3]};
+    const double speed2 = relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2];
+    fastest = speed2 > fastest ? speed2 : fastest;
+  }
+  return fastest;
+}
+
+void move_box(GrainSystem& s) {
+  const Vec3 size = s.domain.size();
+  double wall_speed = 0.0;
+  for (Wall& wall : s.walls) {
+    wall.point += s.time_step * wall.velocity;
+    wall_speed = std::max(wall_speed, std::abs(dot(wall.velocity, wall.normal)));
+  }
+  s.domain.upper += s.time_step * s.box_rate;
+  const double shortening = std::max({-s.box_rate.x / size.x, -s.box_rate.y / size.y, -s.box_rate.z / size.z, 0.0});
+  const double other = s.motion.strain_with_box ? s.drift_limit : std::max(s.drift_limit, wall_speed);
+  // Reach of any two listed grains: the box is wider than four radii wherever it strains.
+  const double reach = 0.5 * std::min({size.x, size.y, size.z});
+  s.slack += s.time_step * (s.drift_limit + other + shortening * reach);
+}
+
+void guard(const GrainSystem& s) {
+  ensure(std::isfinite(s.drift_limit),
+         "step {}: a grain's velocity is not a number; the time step {:.3g} s is too long or the input is", s.steps, s.time_step);
+}
+
+}  // namespace
+
+void evaluate_forces(GrainSystem& system) {
+  renew_neighbour_list(system);
+  update_images(system);
+  update_contact_forces(system);
+}
+
+void move_grains(GrainSystem& s) {
+  const Vec3 size = s.domain.size();
+  Lanes strain_rate{};
+  if (s.motion.strain_with_box) strain_rate = Lanes{s.box_rate.x / size.x, s.box_rate.y / size.y, s.box_rate.z / size.z, 0.0};
+  const MotionLoop loop{.record = s.record.data(),
+                        .slot = s.slot.data(),
+                        .row_start = s.row_start.data(),
+                        .row = s.row.data(),
+                        .identity = s.identity.data(),
+                        .external = s.external_force.empty() ? nullptr : s.external_force.data(),
+                        .gravity = Lanes{s.motion.gravity.x, s.motion.gravity.y, s.motion.gravity.z, 0.0},
+                        .lower = Lanes{s.domain.lower.x, s.domain.lower.y, s.domain.lower.z, 0.0},
+                        .strain_rate = strain_rate,
+                        .time_step = s.time_step,
+                        .damping = s.motion.damping};
+  const int chunks = (s.owned + grains_per_chunk - 1) / grains_per_chunk;
+  std::vector<double> fastest(to_size(chunks));
+  parallel_for(
+      chunks,
+      [&](int chunk) {
+        const int begin = chunk * grains_per_chunk;
+        fastest[to_size(chunk)] = move_chunk(loop, begin, std::min(begin + grains_per_chunk, s.owned));
+      },
+      1);
+  double squared = 0.0;
+  for (const double f : fastest) squared = f > squared || f != f ? f : squared;
+  s.drift_limit = std::sqrt(squared);
+  move_box(s);
+  ++s.steps;
+  guard(s);
+}
+
+void advance_grains(GrainSystem& system, long steps) {
+  for (long step = 0; step < steps; ++step) {
+    evaluate_forces(system);
+    steer_walls(system);
+    move_grains(system);
+  }
+}
+
+TimeStepLimit critical_time_step(const GrainSystem& s) {
+  std::vector<Vec3> push(to_size(s.owned)), roll(to_size(s.owned));
+  const auto add = [&](int record, const Vec3& normal, double kn, double ks) {
+    const double r = radius_of(s.record[to_size(record)]);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double n2 = normal[axis] * normal[axis];
+      push[to_size(record)][axis] += kn * n2 + ks * (1.0 - n2);
+      roll[to_size(record)][axis] += ks * r * r * (1.0 - n2);
+    }
+  };
+  std::visit(
+      [&]<ContactLaw Law>(const Law&) {
+        for_each_grain_contact(s, [&](int first, int second, const Vec3& branch, int slot) {
+          const int i = owner_of(s, first), j = owner_of(s, second);
+          const auto& pair =
+              s.pairs.grains[to_size(material_of(s.record[to_size(i)]) * s.pairs.materials + material_of(s.record[to_size(j)]))];
+          const double kn = s.slot[to_size(slot)].moment[3];
+          const double ks = pair.friction > 0.0 ? Law::stiffness_ratio(pair) * kn : 0.0;
+          add(i, normalized(branch), kn, ks);
+          add(j, normalized(branch), kn, ks);
+        });
+        for_each_wall_contact(s, [&](int wall, int record, const Vec3&, int slot) {
+          const auto& pair = s.pairs.walls[to_size(material_of(s.record[to_size(record)]))];
+          const double kn = s.slot[to_size(slot)].moment[3];
+          const double ks = s.walls[to_size(wall)].friction > 0.0 ? Law::stiffness_ratio(pair) * kn : 0.0;
+          add(record, s.walls[to_size(wall)].normal, kn, ks);
+        });
+      },
+      s.law);
+  TimeStepLimit limit{.critical = std::numeric_limits<double>::infinity()};
+  for (int k = 0; k < s.owned; ++k) {
+    const GrainRecord& r = s.record[to_size(k)];
+    const double kt = std::max({push[to_size(k)].x, push[to_size(k)].y, push[to_size(k)].z});
+    const double kr = std::max({roll[to_size(k)].x, roll[to_size(k)].y, roll[to_size(k)].z});
+    const double by_push = kt > 0.0 ? std::sqrt(2.0 * mass_of(r) / kt) : limit.critical;
+    const double by_roll = kr > 0.0 ? std::sqrt(2.0 * inertia_of(r) / kr) : limit.critical;
+    const double least = std::min(by_push, by_roll);
+    const int id = s.identity[to_size(k)];
+    if (least < limit.critical || (least == limit.critical && limit.grain > id)) limit = {least, id, by_roll < by_push};
+  }
+  return limit;
+}
+
+void set_box_rate(GrainSystem& s, const Vec3& rate) {
+  const Vec3 change = rate - s.box_rate, size = s.domain.size();
+  if (s.motion.strain_with_box)
+    for (int k = 0; k < s.owned; ++k) {
+      GrainRecord& r = s.record[to_size(k)];
+      for (int axis = 0; axis < 3; ++axis) r.drift[axis] += change[axis] * (r.place[axis] - s.domain.lower[axis]) / size[axis];
+    }
+  for (Wall& wall : s.walls)
+    if (wall.face >= 0 && is_upper(wall.face)) wall.velocity[axis_of(wall.face)] = rate[axis_of(wall.face)];
+  s.box_rate = rate;
+}
+
+void steer_walls(GrainSystem& s) {
+  for (Wall& wall : s.walls) {
+    if (!wall.target) continue;
+    const double missing = *wall.target * wall.area + dot(wall.force, wall.normal);  // grains push against the normal
+    const double wanted = wall.stiffness > 0.0 ? wall.servo_gain * missing / (wall.stiffness * s.time_step) : wall.speed_limit;
+    wall.velocity = std::clamp(wanted, -wall.speed_limit, wall.speed_limit) * wall.normal;
+  }
+}
+
+}  // namespace puadem

@@ -1,0 +1,336 @@
+#include "puadem/dem/neighbour_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "puadem/base/csr.hpp"
+#include "puadem/base/error.hpp"
+#include "puadem/dem/cell_grid.hpp"
+
+namespace puadem {
+
+namespace {
+
+/// A contact that is in force, to be found again in the new list.
+struct KeptContact {
+  int partner;     ///< identity; of a wall contact the wall
+  LaneVec3 shear;  ///< lane 0
+};
+
+std::uint64_t spread_bits(std::uint64_t v) {
+  v &= 0x1fffff;
+  v = (v | v << 32) & 0x1f00000000ffffULL;
+  v = (v | v << 16) & 0x1f0000ff0000ffULL;
+  v = (v | v << 8) & 0x100f00f00f00f00fULL;
+  v = (v | v << 4) & 0x10c30c30c30c30c3ULL;
+  return (v | v << 2) & 0x1249249249249249ULL;
+}
+
+/// Moves grains that have crossed a periodic face to the other side, with the velocity of the box there.
+void wrap(GrainSystem& s) {
+  const Vec3 size = s.domain.size();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!s.domain.periodic[static_cast<unsigned>(axis)]) continue;
+    for (int k = 0; k < s.owned; ++k) {
+      GrainRecord& r = s.record[to_size(k)];
+      const double boxes = std::floor((r.place[axis] - s.domain.lower[axis]) / size[axis]);
+      if (boxes == 0.0) continue;
+      r.place[axis] -= boxes * size[axis];
+      r.drift[axis] -= boxes * s.box_rate[axis];
+    }
+  }
+}
+
+/// Sorts the owned records along a Morton curve of cells about one grain wide.
+void sort_records(GrainSystem& s) {
+  const Vec3 size = s.domain.size();
+  const double width = std::cbrt(size.x * size.y * size.z / s.owned);
+  std::vector<std::pair<std::uint64_t, int>> key(to_size(s.owned));
+  for (int k = 0; k < s.owned; ++k) {
+    const GrainRecord& r = s.record[to_size(k)];
+    std::uint64_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double cell = std::max((r.place[axis] - s.domain.lower[axis]) / width, 0.0);
+      code |= spread_bits(static_cast<std::uint64_t>(cell)) << axis;
+    }
+    key[to_size(k)] = {code, k};
+  }
+  std::sort(key.begin(), key.end(), [&](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : s.identity[to_size(a.second)] < s.identity[to_size(b.second)];
+  });
+  std::vector<GrainRecord> record(to_size(s.owned));
+  std::vector<int> identity(to_size(s.owned));
+  for (int k = 0; k < s.owned; ++k) {
+    record[to_size(k)] = s.record[to_size(key[to_size(k)].second)];
+    identity[to_size(k)] = s.identity[to_size(key[to_size(k)].second)];
+  }
+  s.record = std::move(record);
+  s.identity = std::move(identity);
+}
+
+/// Images of all grains that may touch something across a periodic face; then the dummy.
+void make_images(GrainSystem& s, double largest_radius) {
+  s.image_owner.clear();
+  s.image_shift.clear();
+  s.record.resize(to_size(s.owned));
+  s.identity.resize(to_size(s.owned));
+  for (int k = 0; k < s.owned; ++k) {
+    const Lanes place = s.record[to_size(k)].place;
+    const double reach = place[3] + largest_radius + s.skin;
+    std::array<std::array<int, 2>, 3> range{};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!s.domain.periodic[static_cast<unsigned>(axis)]) continue;
+      if (place[axis] > s.domain.upper[axis] - reach) range[static_cast<unsigned>(axis)][0] = -1;
+      if (place[axis] < s.domain.lower[axis] + reach) range[static_cast<unsigned>(axis)][1] = 1;
+    }
+    for (int a = range[0][0]; a <= range[0][1]; ++a)
+      for (int b = range[1][0]; b <= range[1][1]; ++b)
+        for (int c = range[2][0]; c <= range[2][1]; ++c) {
+          if (a == 0 && b == 0 && c == 0) continue;
+          s.image_owner.push_back(k);
+          s.image_shift.push_back({a, b, c});
+          s.identity.push_back(s.identity[to_size(k)]);
+        }
+  }
+  s.record.resize(to_size(s.owned) + s.image_owner.size() + 1);
+  GrainRecord& dummy = s.record.back();
+  const Vec3 middle = 0.5 * (s.domain.lower + s.domain.upper);
+  dummy = {Lanes{middle.x, middle.y, middle.z, 0.0}, Lanes{0, 0, 0, 1.0}, Lanes{}, Lanes{0, 0, 0, 1.0}};
+  update_images(s);
+}
+
+/// Contacts in force of the old list, by lower identity, and of walls by identity of the grain.
+std::vector<std::vector<KeptContact>> contacts_in_force(const GrainSystem& s, const ContactBlocks& blocks, bool with_walls) {
+  std::vector<std::vector<KeptContact>> kept(to_size(s.owned));
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.live[to_size(b)] == 0) continue;
+    const LaneVec3& h = blocks.shear[to_size(b)];
+    for (int l = 0; l < lane_count; ++l) {
+      if (h.x[l] == 0.0 && h.y[l] == 0.0 && h.z[l] == 0.0) continue;
+      const int first = blocks.first[to_size(b)][to_size(l)];
+      const int second = s.identity[to_size(blocks.second[to_size(b)][to_size(l)])];
+      const LaneVec3 shear{broadcast(h.x[l]), broadcast(h.y[l]), broadcast(h.z[l])};
+      if (with_walls)
+        kept[to_size(second)].push_back({first, shear});
+      else
+        kept[to_size(s.identity[to_size(first)])].push_back({second, shear});
+    }
+  }
+  return kept;
+}
+
+struct Candidate {
+  int first, second;  ///< records; for walls the wall first
+};
+
+/// Appends candidates as full blocks with the history kept for them.
+template <class Owner, class Partner>
+void append(ContactBlocks& blocks, const std::vector<Candidate>& candidates, const std::vector<std::vector<KeptContact>>& kept,
+            int dummy, int dummy_first, const Owner& owner, const Partner& partner) {
+  for (int c = 0; c < size_of(candidates); c += lane_count) {
+    std::array<int, 4> first{dummy_first, dummy_first, dummy_first, dummy_first}, second{dummy, dummy, dummy, dummy};
+    LaneVec3 shear{};
+    for (int l = 0; l < lane_count && c + l < size_of(candidates); ++l) {
+      const Candidate& candidate = candidates[to_size(c + l)];
+      first[to_size(l)] = candidate.first;
+      second[to_size(l)] = candidate.second;
+      for (const KeptContact& k : kept[to_size(owner(candidate))])
+        if (k.partner == partner(candidate)) {
+          shear.x[l] = k.shear.x[0];
+          shear.y[l] = k.shear.y[0];
+          shear.z[l] = k.shear.z[0];
+        }
+    }
+    blocks.first.push_back(first);
+    blocks.second.push_back(second);
+    blocks.shear.push_back(shear);
+    blocks.live.push_back(1);
+  }
+}
+
+void list_grain_contacts(GrainSystem& s, double largest_radius, const std::vector<std::vector<KeptContact>>& kept) {
+  const int spheres = s.owned + size_of(s.image_owner);
+  std::vector<Lanes> place(to_size(spheres));
+  for (int k = 0; k < spheres; ++k) place[to_size(k)] = s.record[to_size(k)].place;
+  const CellGrid grid = make_cell_grid(place, 2.0 * largest_radius + s.skin);
+
+  // Touching pairs stand together, so that blocks without a contact leave the kernel early.
+  std::vector<Candidate> touching, near;
+  const int* identity = s.identity.data();
+  for (int a = 0; a < s.owned; ++a) {
+    const Lanes& at = place[to_size(a)];
+    for_each_near(grid, at, s.skin, [&](int b) {
+      const bool counts = b < s.owned ? b > a : identity[a] < identity[b];
+      if (!counts) return;
+      const Lanes d = at - place[to_size(b)];
+      const double reach = at[3] + place[to_size(b)][3];
+      const Candidate pair = identity[a] < identity[b] ? Candidate{a, b} : Candidate{b, a};
+      (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach ? touching : near).push_back(pair);
+    });
+  }
+  s.grain_contacts = {};
+  const int dummy = spheres;
+  const auto owner = [&](const Candidate& c) { return identity[c.first]; };
+  const auto partner = [&](const Candidate& c) { return identity[c.second]; };
+  append(s.grain_contacts, touching, kept, dummy, dummy, owner, partner);
+  append(s.grain_contacts, near, kept, dummy, dummy, owner, partner);
+}
+
+void list_wall_contacts(GrainSystem& s, const std::vector<std::vector<KeptContact>>& kept) {
+  const int dummy = s.owned + size_of(s.image_owner);
+  s.wall_contacts = {};
+  s.wall_start.assign(1, 0);
+  std::vector<int> record_of(to_size(s.owned));
+  for (int k = 0; k < s.owned; ++k) record_of[to_size(s.identity[to_size(k)])] = k;
+  for (int w = 0; w < size_of(s.walls); ++w) {
+    const Wall& wall = s.walls[to_size(w)];
+    std::vector<Candidate> near;
+    for (int id = 0; id < s.owned; ++id) {
+      const GrainRecord& r = s.record[to_size(record_of[to_size(id)])];
+      if (dot(vec3(r.place) - wall.point, wall.normal) < radius_of(r) + s.skin) near.push_back({w, record_of[to_size(id)]});
+    }
+    append(
+        s.wall_contacts, near, kept, dummy, w, [&](const Candidate& c) { return s.identity[to_size(c.second)]; },
+        [](const Candidate& c) { return c.first; });
+    s.wall_start.push_back(s.wall_contacts.size());
+  }
+}
+
+/// For every grain its slots by identity of the partner, walls last.
+void make_rows(GrainSystem& s) {
+  struct Entry {
+    int partner, place;
+  };
+  const int dummy = s.owned + size_of(s.image_owner);
+  const auto owner = [&](int record) { return record < s.owned ? record : s.image_owner[to_size(record - s.owned)]; };
+  std::vector<int>& start = s.row_start;
+  start.assign(to_size(s.owned) + 1, 0);
+  const auto for_each_end = [&](const auto& visit) {
+    const ContactBlocks& g = s.grain_contacts;
+    for (int b = 0; b < g.size(); ++b)
+      for (int l = 0; l < lane_count; ++l) {
+        const int first = g.first[to_size(b)][to_size(l)], second = g.second[to_size(b)][to_size(l)];
+        if (second == dummy) continue;
+        const int slot = lane_count * b + l;
+        visit(owner(first), s.identity[to_size(second)], 2 * slot);
+        visit(owner(second), s.identity[to_size(first)], 2 * slot + 1);
+      }
+    const ContactBlocks& w = s.wall_contacts;
+    for (int b = 0; b < w.size(); ++b)
+      for (int l = 0; l < lane_count; ++l) {
+        const int second = w.second[to_size(b)][to_size(l)];
+        if (second != dummy) visit(second, s.owned + w.first[to_size(b)][to_size(l)], 2 * (lane_count * (g.size() + b) + l) + 1);
+      }
+  };
+  for_each_end([&](int record, int, int) { ++start[to_size(record) + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Entry> entry(to_size(start.back()));
+  std::vector<int> next(start.begin(), start.end() - 1);
+  for_each_end([&](int record, int partner, int place) { entry[to_size(next[to_size(record)]++)] = {partner, place}; });
+  s.row.resize(entry.size());
+  for (int k = 0; k < s.owned; ++k) {
+    const auto begin = entry.begin() + start[to_size(k)], end = entry.begin() + start[to_size(k) + 1];
+    std::sort(begin, end,
+              [](const Entry& a, const Entry& b) { return a.partner != b.partner ? a.partner < b.partner : a.place < b.place; });
+    for (auto e = begin; e != end; ++e) s.row[to_size(static_cast<int>(e - entry.begin()))] = e->place;
+  }
+}
+
+void remember_places(GrainSystem& s) {
+  s.listed_at.resize(to_size(s.owned));
+  for (int k = 0; k < s.owned; ++k) s.listed_at[to_size(k)] = vec3(s.record[to_size(k)].place);
+  s.listed_in = s.domain;
+  s.walls_listed_at.clear();
+  for (const Wall& wall : s.walls) s.walls_listed_at.push_back(wall.point);
+  s.slack = 0.0;
+  s.listed_step = s.steps;
+  ++s.list_builds;
+}
+
+/// The skin balances the cost of a build against that of pairs that do not touch: a build is worth about
+/// as much as twenty steps.
+void adapt_skin(GrainSystem& s, double smallest_radius, double largest_radius) {
+  const long lived = s.steps - s.listed_step;
+  if (s.list_builds == 0)
+    s.skin = 0.2 * smallest_radius;
+  else if (lived < 40)
+    s.skin = std::min(1.25 * s.skin, 0.5 * largest_radius);
+  else if (lived > 400)
+    s.skin = std::max(0.8 * s.skin, 0.05 * smallest_radius);
+}
+
+/// Largest approach of two grains, or of a grain and a wall, since the list was made; what the box strained
+/// brings two listed grains closer by at most its largest shortening times their reach.
+double approach_since(const GrainSystem& s, double largest_radius) {
+  const Vec3 size = s.domain.size(), old_size = s.listed_in.size();
+  Vec3 stretch{1, 1, 1};
+  if (s.motion.strain_with_box || s.domain.periodic != std::array<bool, 3>{})
+    stretch = {size.x / old_size.x, size.y / old_size.y, size.z / old_size.z};
+  double squared = 0.0;
+  for (int k = 0; k < s.owned; ++k) {
+    const Vec3 from = s.listed_at[to_size(k)] - s.listed_in.lower;
+    const Vec3 moved =
+        vec3(s.record[to_size(k)].place) - s.domain.lower - Vec3{from.x * stretch.x, from.y * stretch.y, from.z * stretch.z};
+    squared = std::max(squared, squared_norm(moved));
+  }
+  const double grains = std::sqrt(squared);
+  const double strain = std::max({1.0 - stretch.x, 1.0 - stretch.y, 1.0 - stretch.z, 0.0});
+  double walls = 0.0;
+  for (int w = 0; w < size_of(s.walls); ++w) {
+    const Vec3 old = s.walls_listed_at[to_size(w)] - s.listed_in.lower;
+    const Vec3 carried = s.domain.lower + Vec3{old.x * stretch.x, old.y * stretch.y, old.z * stretch.z};
+    walls = std::max(walls, std::abs(dot(s.walls[to_size(w)].point - carried, s.walls[to_size(w)].normal)));
+  }
+  return grains + std::max(grains, walls) + strain * (2.0 * largest_radius + s.skin);
+}
+
+std::array<double, 2> radius_range(const GrainSystem& s) {
+  std::array<double, 2> range{radius_of(s.record[0]), radius_of(s.record[0])};
+  for (int k = 0; k < s.owned; ++k) {
+    range[0] = std::min(range[0], radius_of(s.record[to_size(k)]));
+    range[1] = std::max(range[1], radius_of(s.record[to_size(k)]));
+  }
+  return range;
+}
+
+}  // namespace
+
+void update_images(GrainSystem& s) {
+  const Vec3 size = s.domain.size();
+  for (int k = 0; k < size_of(s.image_owner); ++k) {
+    const GrainRecord& owner = s.record[to_size(s.image_owner[to_size(k)])];
+    const auto& shift = s.image_shift[to_size(k)];
+    GrainRecord& image = s.record[to_size(s.owned + k)];
+    image = owner;
+    for (int axis = 0; axis < 3; ++axis) {
+      image.place[axis] += shift[static_cast<unsigned>(axis)] * size[axis];
+      image.drift[axis] += shift[static_cast<unsigned>(axis)] * s.box_rate[axis];
+    }
+  }
+}
+
+void build_neighbour_list(GrainSystem& s) {
+  const auto [smallest, largest] = radius_range(s);
+  const auto grain_history = contacts_in_force(s, s.grain_contacts, false);
+  const auto wall_history = contacts_in_force(s, s.wall_contacts, true);
+  adapt_skin(s, smallest, largest);
+  wrap(s);
+  sort_records(s);
+  make_images(s, largest);
+  list_grain_contacts(s, largest, grain_history);
+  list_wall_contacts(s, wall_history);
+  make_rows(s);
+  s.slot.assign(to_size(lane_count * (s.grain_contacts.size() + s.wall_contacts.size())), ContactSlot{});
+  remember_places(s);
+}
+
+void renew_neighbour_list(GrainSystem& s) {
+  if (s.list_builds == 0) return build_neighbour_list(s);
+  if (s.slack < s.skin) return;
+  const double largest = radius_range(s)[1];
+  s.slack = approach_since(s, largest);
+  if (s.slack > 0.9 * s.skin) build_neighbour_list(s);
+}
+
+}  // namespace puadem

@@ -1,0 +1,270 @@
+#include "puadem/dem/packing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "puadem/base/error.hpp"
+#include "puadem/dem/motion.hpp"
+#include "puadem/dem/sphere_in_box.hpp"
+
+namespace puadem {
+
+namespace {
+
+constexpr int control_interval = 10;     // steps between two settings of the box's rate of strain
+constexpr int check_interval = 50;       // steps between two looks at porosity, rest and time step
+constexpr double loose_inertia = 0.05;   // inertial number of the straining cloud
+constexpr double dense_inertia = 4e-3;   // of a packing that carries stress
+constexpr double relaxation_steps = 60;  // in which the box makes up for a missing stress
+
+/// A compaction under way.
+struct Compaction {
+  GrainSystem& system;
+  const CompactionOptions& options;
+  const CompactionCallback& callback;
+  Particles& particles;
+  double largest_radius;
+  double natural_rate;  ///< strain rate at an inertial number of one [1/s]
+  double longest_step;  ///< time step while nothing touches yet [s]
+  GrainMeasures measures;
+  double porosity = 1.0;  ///< of the region asked for
+  double fraction = 0.0;
+  bool stopped = false;
+};
+
+Vec3 axis_stress(const GrainSystem& s, const GrainMeasures& m) {
+  Vec3 stress;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto lower = static_cast<unsigned>(2 * axis);
+    stress[axis] = s.domain.periodic[static_cast<unsigned>(axis)] ? m.stress[static_cast<unsigned>(axis)][axis]
+                                                                  : 0.5 * (m.wall_stress[lower] + m.wall_stress[lower + 1]);
+  }
+  return stress;
+}
+
+/// Largest relative distance of a wall, or of a periodic axis, from the target stress.
+double stress_error(const Compaction& c) {
+  double error = 0.0;
+  for (int face = 0; face < 6; ++face) {
+    const auto axis = static_cast<unsigned>(axis_of(face));
+    const double stress = c.system.domain.is_wall(face) ? c.measures.wall_stress[static_cast<unsigned>(face)]
+                                                        : c.measures.stress[axis][axis_of(face)];
+    error = std::max(error, std::abs(stress / c.options.stress - 1.0));
+  }
+  return error;
+}
+
+double mean_axis_stress(const Compaction& c) {
+  const Vec3 stress = axis_stress(c.system, c.measures);
+  return (stress.x + stress.y + stress.z) / 3.0;
+}
+
+double region_porosity(const Compaction& c, CompactionOptions::Region region) {
+  const Domain& box = c.system.domain;
+  return porosity_of(c.particles.position, c.particles.radius,
+                     region == CompactionOptions::Region::core ? core_of(box, 2.0 * c.largest_radius) : box);
+}
+
+/// Rate of strain that makes up for the missing stress of every axis, within the inertial number allowed.
+void control_box(Compaction& c) {
+  GrainSystem& s = c.system;
+  c.measures = measure(s);
+  const GrainMeasures& m = c.measures;
+  const double target = c.options.stress;
+  const bool loose = m.mean_stress < 0.02 * target && m.coordination < 4.0;
+  const double limit = c.natural_rate * (loose ? loose_inertia : dense_inertia);
+  const Vec3 size = s.domain.size();
+  Vec3 rate;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double missing = target - m.stress[static_cast<unsigned>(axis)][axis];
+    const double stiffness = m.affine_modulus[axis];
+    const double wanted = stiffness > 0.0 ? missing / (stiffness * relaxation_steps * s.time_step) : limit;
+    rate[axis] = -std::clamp(loose ? limit : wanted, -limit, limit) * size[axis];
+  }
+  set_box_rate(s, rate);
+}
+
+void set_time_step(Compaction& c) {
+  const double safe = c.options.safety * critical_time_step(c.system).critical;
+  const double now = c.system.time_step;
+  c.system.time_step = std::min({safe, 1.05 * now, c.longest_step});
+}
+
+/// Runs `check_interval` steps and looks.
+void run_interval(Compaction& c) {
+  for (int step = 0; step < check_interval; ++step) {
+    evaluate_forces(c.system);
+    if (step % control_interval == 0) control_box(c);
+    move_grains(c.system);
+  }
+  evaluate_forces(c.system);
+  c.measures = measure(c.system);
+  set_time_step(c);
+  collect(c.system, c.particles);
+  c.porosity = region_porosity(c, c.options.region);
+  ensure(c.system.steps < c.options.max_steps,
+         "step {}: the packing is not at rest after {} steps; mean stress {:.4g} Pa of {:.4g}, porosity {:.4f}, unbalanced force "
+         "{:.2g}",
+         c.system.steps, c.options.max_steps, c.measures.mean_stress, c.options.stress, c.porosity, c.measures.unbalanced);
+  if (c.callback)
+    c.stopped = !c.callback({c.system.steps, c.porosity, c.measures.mean_stress, c.measures.unbalanced, c.fraction});
+}
+
+bool at_rest(const Compaction& c, double unbalanced, double stress_tolerance) {
+  return c.measures.unbalanced < unbalanced && stress_error(c) < stress_tolerance;
+}
+
+void set_friction(GrainSystem& s, double friction) {
+  for (auto& pair : s.pairs.grains) pair.friction = friction;
+}
+
+/// The cloud is strained until it carries the stress, near rest.
+void build_stress(Compaction& c) {
+  const double start = c.porosity;
+  while (!c.stopped && !at_rest(c, 1e-2, 0.03)) {
+    run_interval(c);
+    const double strained = std::clamp((start - c.porosity) / (start - 0.38), 0.0, 1.0);
+    c.fraction = std::max(c.fraction, 0.4 * strained);
+  }
+}
+
+/// Lowers the friction, near rest all the time, until the porosity is reached. The porosity falls by about
+/// 0.015 each time the friction falls by a factor e; a step aims at 40 % of what is left.
+/// @return lowest friction used
+double lower_friction(Compaction& c, double friction, double target) {
+  const double start = c.porosity;
+  constexpr double least_friction = 1e-3;
+  while (!c.stopped && c.porosity > target) {
+    if (at_rest(c, 1e-2, 0.03)) {
+      friction *= std::exp(-std::clamp(0.4 * (c.porosity - target) / 0.015, 0.03, 0.25));
+      if (friction < least_friction) return 0.0;
+      set_friction(c.system, friction);
+    }
+    run_interval(c);
+    c.fraction = std::max(c.fraction, 0.4 + 0.5 * std::clamp((start - c.porosity) / (start - target), 0.0, 1.0));
+  }
+  return friction;
+}
+
+/// No friction at all: compacts as far as it goes, or to the target.
+void compact_frictionless(Compaction& c, double target) {
+  set_friction(c.system, 0.0);
+  while (!c.stopped && c.porosity > target && !at_rest(c, c.options.unbalanced, 0.01)) run_interval(c);
+  require(c.stopped || c.porosity <= target,
+          "porosity {:.4f} of the {} cannot be reached: frictionless grains of this grading pack to {:.4f} at {:.4g} Pa; ask for "
+          "more than that",
+          target, c.options.region == CompactionOptions::Region::core ? "core" : "box", c.porosity, c.options.stress);
+}
+
+void settle(Compaction& c) {
+  do {
+    run_interval(c);
+    c.fraction = std::max(c.fraction, 0.9);
+  } while (!c.stopped &&
+           !(at_rest(c, c.options.unbalanced, 0.015) && std::abs(mean_axis_stress(c) / c.options.stress - 1.0) < 0.005));
+}
+
+/// Time step while nothing touches: as if the smallest grain carried the target stress through six contacts.
+double reference_time_step(const GrainSystem& s, const Particles& p, double stress) {
+  const auto smallest = std::min_element(p.radius.begin(), p.radius.end()) - p.radius.begin();
+  const double radius = p.radius[static_cast<std::size_t>(smallest)], mass = p.mass[static_cast<std::size_t>(smallest)];
+  const double force = 4.0 * radius * radius * stress;
+  return std::visit(
+      [&]<ContactLaw Law>(const Law&) {
+        const PairConstants<double>& pair = s.pairs.grains[0];
+        double overlap = radius;  // bisection on a law of unknown shape
+        double low = 0.0;
+        for (int k = 0; k < 60; ++k) {
+          const double middle = 0.5 * (low + overlap);
+          (Law::respond(pair, middle, 0.5 * radius, 0.5).force < force ? low : overlap) = middle;
+        }
+        return std::sqrt(2.0 * mass / (3.0 * Law::respond(pair, overlap, 0.5 * radius, 0.5).normal));
+      },
+      s.law);
+}
+
+void finish_report(const Compaction& c, double friction, CompactionReport& report) {
+  report.porosity_box = region_porosity(c, CompactionOptions::Region::box);
+  try {
+    report.porosity_core = region_porosity(c, CompactionOptions::Region::core);
+  } catch (const InputError&) {
+    report.porosity_core = std::numeric_limits<double>::quiet_NaN();
+  }
+  report.mean_stress = mean_axis_stress(c);
+  report.axis_stress = axis_stress(c.system, c.measures);
+  report.unbalanced = c.measures.unbalanced;
+  report.coordination = c.measures.coordination;
+  report.friction_used = friction;
+  report.largest_overlap = c.measures.largest_overlap;
+  report.time_step = c.system.time_step;
+  report.steps = c.system.steps;
+  report.list_builds = c.system.list_builds;
+}
+
+void check(const CompactionOptions& o) {
+  require(o.stress > 0.0 && std::isfinite(o.stress), "compact: stress {} Pa must be positive", o.stress);
+  require(!o.porosity || (*o.porosity > 0.0 && *o.porosity < 1.0), "compact: porosity {} must lie in (0, 1)",
+          o.porosity.value_or(0.0));
+  require(o.unbalanced > 0.0 && o.unbalanced < 1.0, "compact: unbalanced {} must lie in (0, 1)", o.unbalanced);
+  require(o.damping >= 0.0 && o.damping < 1.0, "compact: damping {} must lie in [0, 1)", o.damping);
+  require(o.safety > 0.0 && o.safety < 1.0, "compact: share {} of the critical time step must lie in (0, 1)", o.safety);
+}
+
+}  // namespace
+
+Packing make_packing(const PackingSource& source, std::span<const Material> materials, const ContactOptions& contact,
+                     const CompactionOptions& options, const CompactionCallback& callback) {
+  check(options);
+  Packing packing = random_cloud(source, materials);
+  Particles& particles = packing.particles;
+  const MotionOptions motion{.damping = options.damping, .safety = options.safety, .strain_with_box = true};
+  GrainSystem system = make_grain_system(particles, packing.domain, materials, contact, motion);
+  const double largest = *std::max_element(particles.radius.begin(), particles.radius.end());
+  double diameter = 0.0;
+  for (const double r : particles.radius) diameter += 2.0 * r / particles.size();
+  const double density = materials[to_size(source.material)].density;
+  Compaction c{.system = system,
+               .options = options,
+               .callback = callback,
+               .particles = particles,
+               .largest_radius = largest,
+               .natural_rate = std::sqrt(options.stress / density) / diameter,
+               .longest_step = options.safety * reference_time_step(system, particles, options.stress),
+               .measures = {}};
+  c.porosity = packing.report.porosity_box;
+  system.time_step = c.longest_step;
+
+  const std::vector<PairConstants<double>> own = system.pairs.grains;
+  const auto own_pair = own[to_size(source.material * system.pairs.materials + source.material)];
+  double friction = own_pair.friction;
+  build_stress(c);
+  if (options.porosity && !c.stopped) {
+    const double target = *options.porosity;
+    require(c.porosity > target - 0.002,
+            "porosity {:.4f} cannot be reached: with the grains' own friction the packing is {:.4f} already; ask for less, or "
+            "raise the friction angle",
+            target, c.porosity);
+    friction = lower_friction(c, friction, target);
+    if (c.porosity > target) compact_frictionless(c, target);
+    system.pairs.grains = own;
+  }
+  if (!c.stopped) settle(c);
+
+  for (auto& v : particles.velocity) v = {};
+  for (auto& w : particles.angular_velocity) w = {};
+  packing.domain = system.domain;
+  finish_report(c, friction, packing.report);
+  return packing;
+}
+
+GrainMeasures evaluate_packing(Particles& particles, const Domain& domain, std::span<const Material> materials,
+                               const ContactOptions& contact) {
+  GrainSystem system = make_grain_system(particles, domain, materials, contact, {});
+
+  evaluate_forces(system);
+  collect(system, particles);
+  return measure(system);
+}
+
+}  // namespace puadem

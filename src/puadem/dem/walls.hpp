@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "puadem/base/vec3.hpp"
+#include "puadem/geometry/domain.hpp"
+
+namespace puadem {
+
+/// A plane wall. Grains stand on the side its normal points to.
+struct Wall {
+  Vec3 point;                    ///< any point of the plane [m]
+  Vec3 normal;                   ///< unit vector into the grains [-]
+  Vec3 velocity;                 ///< [m/s]
+  int face = -1;                 ///< face of the box that it stands for; -1: a wall of its own
+  double friction = 0.0;         ///< mu between this wall and grains [-]
+  std::optional<double> target;  ///< servo: normal stress to hold [Pa]; none: the wall moves at `velocity`
+  double area = 0.0;             ///< that the servo divides the force by [m2]
+  double servo_gain = 0.5;       ///< share of the missing force made up for in one step [-]
+  double speed_limit = 0.0;      ///< of the servo [m/s]
+  Vec3 force;                    ///< of the grains on the wall, last evaluation [N]
+  double stiffness = 0.0;        ///< sum of the contacts' normal stiffness, last evaluation [N/m]
+};
+
+/// The walls of a box, in the order of its faces, periodic faces left out. All at rest.
+std::vector<Wall> box_walls(const Domain& domain, double friction);
+
+}  // namespace puadem
