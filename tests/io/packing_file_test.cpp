@@ -26,7 +26,7 @@ std::string error_of(std::string_view text) {
 }
 
 TEST(PackingFile, ReadsBoxCommentsAndHeading) {
-  const Packing p =
+  const PackingFile p =
       parse_packing("# made by hand\n# box 2 3 4\nx,y,z,r\n0.5, 0.5,\t0.5,0.25\r\n\n# last\n1.5,2.5,3.5,1e-1", "p.csv");
   EXPECT_EQ(p.box, (Domain{{0, 0, 0}, {2, 3, 4}, {}}));
   ASSERT_EQ(p.radius.size(), 2U);
