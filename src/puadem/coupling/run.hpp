@@ -19,6 +19,8 @@ struct Progress {
   double saturation = 1.0;    ///< S_r [-]
   double unbalanced = 0.0;    ///< unbalanced force ratio [-]
   double capillary_pressure = 0.0;  ///< [Pa]
+  double stress = 0.0;              ///< mean stress of the grains [Pa]
+  double porosity = 0.0;            ///< of the region a compaction aims at [-]
 };
 
 /// Watches a run. Every call gets the state as const: output cannot change physics. Empty functions
