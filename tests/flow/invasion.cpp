@@ -129,6 +129,20 @@ TEST(InkBottle, DrainsThroughItsNeckAndRefillsByItsBody) {
   EXPECT_EQ(totals(network, state).saturation, 1.0);
 }
 
+// With a law that ends at S_thr the bubble leaves at once; what flowed in before belongs to no event.
+TEST(InkBottle, JumpsFromTheTouchingBubbleToFull) {
+  const PoreNetwork network = drained_chain({5.0, 1e6});
+  InvasionOptions options;
+  options.snap_off = false;
+  options.retention_law = PolyhedronRetention{};
+  InvasionState state = start_invasion(network, unit_fluids(), options);
+  Log log;
+  advance_to(network, 6.0, state, log.callback());
+  advance_to(network, 0.0, state, log.callback());
+  const double bubble = 4.0 / 3.0 * std::numbers::pi * std::pow(network.pore_radius[1], 3);
+  EXPECT_NEAR(log.only(Kind::fill).wetting_volume, bubble, 1e-12 * bubble);
+}
+
 // Without corner water the pore is emptied and a front through its tightest throat to water refills it.
 TEST(InkBottle, WithoutCornerWaterRefillsThroughTheTighterOfThroatAndBody) {
   PoreNetwork network = chain({5.0, 0.3});

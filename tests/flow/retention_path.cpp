@@ -39,7 +39,8 @@ TEST(RetentionStops, CountBranches) {
 TEST(RetentionStops, MayBeOne) { EXPECT_THAT(pressures(retention_stops({{0}, 50, 0})), ElementsAre(0)); }
 
 TEST(RetentionStops, EndOnTheTurningPointDespiteRounding) {
-  EXPECT_THAT(pressures(retention_stops({{0, 0.3}, 0.1, 0})), ElementsAre(0, 0.1, 0.2, 0.3));
+  EXPECT_THAT(pressures(retention_stops({{0.2, 1.1}, 0.3, 0})), ElementsAre(0.2, 0.5, 0.8, 1.1));
+  EXPECT_EQ(retention_stops({{0.2, 1.1}, 0.1, 0}).size(), 10u);  // nine tenths fall short of the leg by a rounding
 }
 
 TEST(RetentionStops, RefuseBadPaths) {
