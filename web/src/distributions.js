@@ -23,7 +23,7 @@ function draw(runs, kind, symbol) {
   return {
     data,
     layout: layout([`${symbol}/⟨<i>r</i>⟩`, { rangemode: "tozero" }], ["Probability density", { rangemode: "tozero" }],
-      { showlegend: !few, legend: { ...layout([""], [""]).legend, x: 0.99, y: 0.98, xanchor: "right", yanchor: "top" } }),
+      { showlegend: !few, legend: { ...layout([""], [""]).legend, orientation: "h", x: 0, y: 1.02, xanchor: "left", yanchor: "bottom" }, margin: { l: 58, r: 10, t: few ? 10 : 34, b: 48 } }),
   };
 }
 

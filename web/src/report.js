@@ -26,9 +26,9 @@ function header() {
 const section = (title, ...content) => element("section", {}, element("h2", {}, title), content);
 
 function checksTable() {
-  const rows = manifest.checks.map((check) => [check.name, { text: number(check.value, 6), class: "" }, check.bound,
+  const rows = manifest.checks.map((check) => [check.name, check.value === null ? "not computed" : number(check.value, 5), check.bound,
     { text: check.passed ? "✓ holds" : "✗ fails", class: check.passed ? "mark good" : "mark bad" }]);
-  return rows.length === 0 ? null : table("Checks", [{ head: "What" }, { head: "value", number: true }, { head: "must be" }, { head: "" }], rows);
+  return rows.length === 0 ? null : table("Checks", [{ head: "What" }, { head: "value", number: true }, { head: "must be" }, { head: "" }], rows, "wide");
 }
 
 function ledgerTable() {
@@ -36,7 +36,7 @@ function ledgerTable() {
   if (!(ledger.void_volume_m3 > 0)) return null;
   const row = (name, key) => [name, ...["start", "in", "out", "end"].map((part) => number(ledger[`${key}_${part}_m3`] * 1e9, 6)), number(ledger[`${key}_error`], 2)];
   return table("Volume ledger of the counted pores (mm³)", [{ head: "Fluid" }, { head: "start", number: true }, { head: "in", number: true },
-    { head: "out", number: true }, { head: "end", number: true }, { head: "error / void", number: true }], [row("Wetting", "wetting"), row("Non-wetting", "nonwetting")]);
+    { head: "out", number: true }, { head: "end", number: true }, { head: "error / void", number: true }], [row("Wetting", "wetting"), row("Non-wetting", "nonwetting")], "wide");
 }
 
 const factTable = ({ title, rows }) => table(title, [{}, {}], rows.map(([what, value]) => [label(what), value]), "facts");

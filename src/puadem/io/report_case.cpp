@@ -28,7 +28,7 @@ json grain_rows(const Case& c) {
   for (const Material& m : c.materials) {
     if (m.name != c.grains.material) continue;
     rows.push_back({"Material", m.name});
-    rows.push_back({"Density", show(m.density, "kg/m3")});
+    rows.push_back({"Density", fmt::format("{:.4g} kg/m³", m.density)});
     rows.push_back({"Young's modulus", show(m.youngs_modulus, "Pa")});
     rows.push_back({"Poisson's ratio", fmt::format("{:.4g}", m.poisson_ratio)});
     rows.push_back({"Friction angle", show(m.friction_angle, "rad")});

@@ -12,9 +12,10 @@ namespace {
 
 using nlohmann::json;
 
-/// 12345 -> "12 345", with the narrow space that no line breaks at.
+/// 12345 -> "12 345", with the narrow space that no line breaks at; four digits stay together.
 std::string count(long value) {
   std::string digits = std::to_string(value);
+  if (digits.size() < 5) return digits;
   for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
     digits.insert(static_cast<std::size_t>(at), "\u202f");
   return digits;
@@ -56,7 +57,7 @@ json packing_rows(const State& state) {
   json rows = json::array({{"Grains", count(p.size())},
                            {"Box", lengths(state.domain.size())},
                            {"Periodic directions", periodic.empty() ? "none (six walls)" : periodic},
-                           {"Grain diameters", fmt::format("{} to {}", show(2 * smallest, "m"), show(2 * largest, "m"))},
+                           {"Grain diameters", fmt::format("{} to {}", show(2 * smallest, "m", 3), show(2 * largest, "m", 3))},
                            {"Mean grain radius ⟨r⟩, by number", show(mean_radius(p), "m")},
                            {"Porosity of the whole box", number(1.0 - grain_volume(p) / state.domain.volume())}});
   return rows;
@@ -114,10 +115,12 @@ json highlights_json(const State& state, const RunResults* results) {
   json top = json::array();
   const Particles& p = state.particles;
   if (p.size() > 0) top.push_back(highlight("Grains", count(p.size()), "in " + lengths(state.domain.size())));
+  const double box_porosity = 1.0 - grain_volume(p) / state.domain.volume();
   if (results && results->scalars.contains("porosity_core"))
-    top.push_back(highlight("Porosity", fmt::format("{:.4f}", results->scalars.at("porosity_core")), "core, away from walls"));
+    top.push_back(highlight("Porosity of the core", fmt::format("{:.4f}", results->scalars.at("porosity_core")),
+                            fmt::format("{:.4f} in the whole box", box_porosity)));
   else if (p.size() > 0)
-    top.push_back(highlight("Porosity", fmt::format("{:.4f}", 1.0 - grain_volume(p) / state.domain.volume()), "whole box"));
+    top.push_back(highlight("Porosity", fmt::format("{:.4f}", box_porosity), "whole box"));
   if (state.network.pores() > 0)
     top.push_back(highlight("Pore units", count(state.network.pores()), count(state.network.throats()) + " throats"));
   std::vector<RetentionRow> drainage;
