@@ -6,3 +6,5 @@ target_include_directories(puadem_io SYSTEM PRIVATE ${TOMLPLUSPLUS_INCLUDE})
 find_package(CLI11 REQUIRED)                            # app/puadem.cpp
 include(cmake/report.cmake)
 include(cmake/build_info.cmake)         # last: it names the versions found
+set_source_files_properties(src/puadem/io/case_templates.cpp PROPERTIES
+  COMPILE_DEFINITIONS "PUADEM_CASES_DIR=\"${CMAKE_SOURCE_DIR}/cases\"")

@@ -171,6 +171,12 @@ const Section<ContactOptions>& contact_section() {
       bind_choice<ContactOptions>(choice("law", {"linear-spring", "hertz-mindlin"}, "contact law"), &ContactOptions::law),
       bind<ContactOptions>(number("stiffness_ratio", above(0), "k_s / k_n of the linear law", between(0.05, 2)),
                            &ContactOptions::stiffness_ratio),
+      bind_choice<ContactOptions>(
+          choice("wall_elasticity", {"material", "rigid"}, "walls of the grains' own constants, or walls that do not yield"),
+          &ContactOptions::wall_elasticity),
+      bind<ContactOptions>(
+          noted(number("restitution", Interval{0, 1, true, false}, "coefficient of normal restitution"), "no viscous part"),
+          &ContactOptions::restitution),
       bind<ContactOptions>(
           number("wall_friction", at_least(0), "friction coefficient mu between grains and walls", between(0, 2)),
           &ContactOptions::wall_friction),
@@ -317,6 +323,16 @@ Field<Case> expected_field() {
   return field;
 }
 
+/// A packing file brings its box: then only the periodic directions are written.
+Field<Case> domain_field() {
+  Field<Case> field = bind_table<Case>(plain("domain", "a table", "the box"), domain_section, &Case::domain);
+  field.write_tables = [](const std::string& path, const Case& c) {
+    const Section<DomainOptions> with_file{{domain_section().fields.back()}};
+    return fmt::format("\n[{}]\n{}", path, write_table(path, c.grains.file ? with_file : domain_section(), c.domain));
+  };
+  return field;
+}
+
 }  // namespace
 
 const Section<Case>& case_section() {
@@ -324,7 +340,7 @@ const Section<Case>& case_section() {
       bind<Case>(plain("title", "a text", "name of the case in reports and folders", R"("glass beads")"), &Case::title),
       bind<Case>(whole("seed", 0, 9007199254740992.0, "of the random numbers: the same seed gives the same run", "1"),
                  &Case::seed),
-      bind_table<Case>(plain("domain", "a table", "the box"), domain_section, &Case::domain),
+      domain_field(),
       bind_table<Case>(
           needed(plain("grains", "a table", "where the grains come from; write [grains] with count and grading, or file")),
           grains_section, &Case::grains),

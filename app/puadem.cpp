@@ -1,0 +1,310 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "puadem/base/error.hpp"
+#include "puadem/base/parallel.hpp"
+#include "puadem/build_info.hpp"
+#include "puadem/io/case_file.hpp"
+#include "puadem/io/case_summary.hpp"
+#include "puadem/io/case_templates.hpp"
+#include "puadem/io/initial_state.hpp"
+#include "puadem/io/inspect.hpp"
+#include "puadem/io/manifest.hpp"
+#include "puadem/io/progress_line.hpp"
+#include "puadem/io/results_folder.hpp"
+#include "puadem/io/run_summary.hpp"
+#include "puadem/io/text.hpp"
+
+namespace puadem {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum ExitCode { ok = 0, wrong_input = 1, physics_stopped = 2, interrupted = 3, internal_error = 4 };
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+/// The first signal asks the run to stop at a safe place, the second one ends the program.
+void request_stop(int signal) {
+  stop_requested = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+struct RunOptions {
+  std::string case_file;
+  std::vector<std::string> overrides;
+  std::string output;
+  int threads = 0;
+  bool quiet = false;
+  bool json = false;
+};
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+/// "drainage-beads" for drainage-beads/case.toml, "drainage-beads-tiny" for drainage-beads/tiny.toml.
+std::string name_of(const fs::path& case_file) {
+  const fs::path path = fs::absolute(case_file).lexically_normal();
+  const std::string folder = path.parent_path().filename().string(), stem = path.stem().string();
+  if (stem == "case" && !folder.empty()) return folder;
+  return folder.empty() ? stem : fmt::format("{}-{}", folder, stem);
+}
+
+/// Case text for the results folder, with the overrides it was run with.
+std::string text_with_overrides(const CaseFile& file, const std::vector<std::string>& overrides) {
+  std::string text = file.text;
+  if (!overrides.empty() && !text.ends_with('\n')) text += '\n';
+  for (const std::string& assignment : overrides) text += fmt::format("# run with --set {}\n", assignment);
+  return text;
+}
+
+Observer combined(const Observer& recorder, ProgressLine& line, bool quiet) {
+  Observer observer = recorder;
+  observer.progress = [&recorder, &line, quiet](const Progress& progress) {
+    const bool go_on = recorder.progress(progress);
+    if (!quiet) line.show(progress);
+    return go_on && stop_requested == 0;
+  };
+  observer.message = [&recorder, &line, quiet](std::string_view text) {
+    recorder.message(text);
+    if (!quiet) line.message(text);
+  };
+  return observer;
+}
+
+/// Runs the stages; what went wrong ends up in the outcome.
+RunResults run_stages(const Case& c, State& state, const Observer& observer, RunOutcome& outcome) {
+  RunResults results;
+  try {
+    results = run(c, state, observer);
+    const auto missed = missed_bounds(c, results);
+    if (results.interrupted) {
+      outcome.exit_code = interrupted;
+      outcome.error = "interrupted; what was finished by then is in the results";
+    } else if (!missed.empty()) {
+      outcome.exit_code = physics_stopped;
+      outcome.error = summarised("results outside the bounds of [expected]:", missed);
+    }
+  } catch (const InputError& error) {
+    outcome.exit_code = wrong_input;
+    outcome.error = error.what();
+  } catch (const NumericalError& error) {
+    outcome.exit_code = physics_stopped;
+    outcome.error = error.what();
+  } catch (const std::bad_alloc&) {
+    outcome.exit_code = physics_stopped;
+    outcome.error = "out of memory; try fewer grains (grains.count)";
+  }
+  return results;
+}
+
+int run_case(const RunOptions& options) {
+  const auto began = ProgressLine::Clock::now();
+  CaseFile file = read_case(options.case_file, options.overrides);
+  set_threads(options.threads);
+  State state = initial_state(file.c, file.warnings);
+  if (!options.quiet) print_warnings(file.warnings);
+
+  std::optional<fs::path> output;
+  if (!options.output.empty()) output = options.output;
+  ResultsFolder folder = open_results(file.c, text_with_overrides(file, options.overrides), resolved_case(file.c), output,
+                                      name_of(options.case_file));
+  folder.warnings.insert(folder.warnings.end(), file.warnings.begin(), file.warnings.end());
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+
+  RunOutcome outcome;
+  outcome.folder = folder.path;
+  const Observer recorder = recording_observer(folder, file.c);
+  RunResults results;
+  {
+    ProgressLine line(stderr);
+    results = run_stages(file.c, state, combined(recorder, line, options.quiet), outcome);
+  }
+  if (!outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
+  finish_results(folder, file.c, state, &results, outcome.exit_code, outcome.error);
+  std::error_code failed;
+  if (!fs::exists(outcome.folder, failed)) outcome.folder.clear();
+  outcome.wall_time = std::chrono::duration<double>(ProgressLine::Clock::now() - began).count();
+  if (options.json)
+    fmt::print("{}", run_json(file.c, state, results, outcome));
+  else if (!options.quiet)
+    fmt::print("{}", run_text(file.c, state, results, outcome));
+  return outcome.exit_code;
+}
+
+int check(const RunOptions& options) {
+  const CaseFile file = read_case(options.case_file, options.overrides);
+  const CaseSummary summary = summarise_case(file.c);
+  fmt::print("{}", summary.text);
+  std::fflush(stdout);
+  print_warnings(file.warnings);
+  print_warnings(summary.warnings);
+  const std::size_t warnings = file.warnings.size() + summary.warnings.size();
+  fmt::print("{}: the case is right{}\n", options.case_file,
+             warnings == 0 ? "" : fmt::format(", with {} warning{}", warnings, warnings == 1 ? "" : "s"));
+  return ok;
+}
+
+std::string version_text() {
+  return fmt::format("puadem {} ({}, {}, {})", build_info::version, build_info::commit, build_info::compiler,
+                     build_info::build_type);
+}
+
+bool can_write_here() {
+  std::string name = "./.puadem-doctor-XXXXXX";
+  const int file = ::mkstemp(name.data());
+  if (file < 0) return false;
+  ::close(file);
+  ::unlink(name.c_str());
+  return true;
+}
+
+/// Looks at what a run needs; says what to do about what is missing.
+int doctor() {
+  int faults = 0;
+  const auto line = [&](bool good, std::string_view what, const std::string& found, std::string_view remedy = "") {
+    fmt::print("{:<6} {:<18} {}{}{}\n", good ? "ok" : "FAULT", what, found, good || remedy.empty() ? "" : "; ",
+               good ? "" : remedy);
+    faults += good ? 0 : 1;
+  };
+  line(true, "version", version_text());
+  line(true, "compiler flags", build_info::flags);
+  line(true, "libraries",
+       fmt::format("CGAL {}, fmt {}.{}.{}, CLI11 {}, OpenMP {}", build_info::cgal, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                   FMT_VERSION % 100, CLI11_VERSION, build_info::openmp));
+  line(true, "processor", fmt::format("{}, {} threads", processor_name(), threads()));
+  line(can_write_here(), "working folder", fs::current_path().string(),
+       "it cannot be written; use --output or change to another folder");
+  std::error_code failed;
+  const fs::space_info space = fs::space(fs::current_path(), failed);
+  const double gigabytes = static_cast<double>(space.available) / 1e9;
+  line(!failed && gigabytes > 1.0, "disk space", fmt::format("{:.1f} GB free", gigabytes),
+       "less than 1 GB; a run with fields may fill it");
+  try {
+    const std::string folder = cases_folder().string();
+    line(true, "shipped cases", fmt::format("{} in {}", joined(case_templates()), folder));
+  } catch (const InputError& error) {
+    line(false, "shipped cases", error.what());
+  }
+  return faults == 0 ? ok : wrong_input;
+}
+
+/// Flags of a verb and those of the program.
+std::vector<std::string> flag_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// Message for a command line that could not be read.
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& arguments) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  if (!arguments.empty() && !arguments[0].starts_with('-') && std::find(verbs.begin(), verbs.end(), arguments[0]) == verbs.end())
+    return fmt::format("unknown verb \"{}\"{}; verbs: {}", arguments[0], did_you_mean(arguments[0], verbs), joined(verbs));
+  const CLI::App* verb = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+  const std::vector<std::string> flags = flag_names(*verb);
+  for (const std::string& argument : arguments) {
+    const std::string flag = argument.substr(0, argument.find('='));
+    if (flag.starts_with("--") && std::find(flags.begin(), flags.end(), flag) == flags.end())
+      return fmt::format("unknown flag {}{}; flags: {}", flag, did_you_mean(flag, flags), joined(flags));
+  }
+  return fmt::format("{}; see puadem {}--help", error.what(), verb == &app ? "" : verb->get_name() + " ");
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"Granular media with two fluids in their pores, grain by grain and pore by pore.", "puadem"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text());
+  app.footer("Exit codes: 0 ok, 1 wrong input, 2 the physics stopped or [expected] failed, 3 interrupted, 4 internal error.");
+
+  RunOptions options;
+  std::string name, target, word, path;
+  bool markdown = false;
+  CLI::App* new_verb = app.add_subcommand("new", "start from a shipped case");
+  new_verb->add_option("template", name, "name of the case; none: list them");
+  new_verb->add_option("folder", target, "new folder; none: named as the template");
+
+  CLI::App* check_verb = app.add_subcommand("check", "say what a case will do, without running it");
+  CLI::App* run_verb = app.add_subcommand("run", "run all stages of a case");
+  for (CLI::App* verb : {check_verb, run_verb}) {
+    verb->add_option("case", options.case_file, "case file")->required();
+    verb->add_option("--set", options.overrides,
+                     "KEY=VALUE in place of the file's value, such as grains.count=500; may be repeated")
+        ->expected(1)
+        ->take_all();
+  }
+  run_verb->add_option("--output", options.output, "folder for the results; none: a new one in runs/");
+  run_verb->add_option("--threads", options.threads, "number of threads; 0: all. Results do not depend on it")
+      ->check(CLI::Range(0, 4096));
+  run_verb->add_flag("--quiet", options.quiet, "print errors only");
+  run_verb->add_flag("--json", options.json, "print the results as JSON");
+
+  CLI::App* keys_verb = app.add_subcommand("keys", "describe the keys of a case file");
+  keys_verb->add_option("word", word, "only keys whose name or help has this word");
+  keys_verb->add_flag("--markdown", markdown, "as docs/case_file.md");
+  CLI::App* info_verb = app.add_subcommand("info", "describe a packing, a case or a run");
+  info_verb->add_option("file", path, "packing.csv, case.toml or run folder")->required();
+  CLI::App* version_verb = app.add_subcommand("version", "print the version");
+  CLI::App* doctor_verb = app.add_subcommand("doctor", "look whether all that a run needs is there");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::CallForVersion& version) {
+    return app.exit(version);
+  } catch (const CLI::ParseError& error) {
+    throw InputError(usage_error(app, error, {argv + 1, argv + argc}));
+  }
+
+  if (new_verb->parsed()) {
+    if (name.empty())
+      fmt::print("{}\n", joined(case_templates(), "\n"));
+    else
+      fmt::print("{0}: a new case; try: puadem check {0}/case.toml\n", new_case(name, target).string());
+    return ok;
+  }
+  if (check_verb->parsed()) return check(options);
+  if (run_verb->parsed()) return run_case(options);
+  if (keys_verb->parsed()) fmt::print("{}", markdown ? keys_markdown() : keys_text(word));
+  if (info_verb->parsed()) fmt::print("{}", inspect(path));
+  if (version_verb->parsed()) fmt::print("{}\n", version_text());
+  if (doctor_verb->parsed()) return doctor();
+  return ok;
+}
+
+}  // namespace
+
+}  // namespace puadem
+
+int main(int argc, char** argv) {
+  using namespace puadem;
+  try {
+    return dispatch(argc, argv);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return wrong_input;
+  } catch (const NumericalError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return physics_stopped;
+  } catch (const std::exception& error) {
+    fmt::print(
+        stderr,
+        "internal error: {}\nThis is a fault of puadem: please report it with the case file and the output of `puadem doctor`.\n",
+        error.what());
+    return internal_error;
+  }
+}

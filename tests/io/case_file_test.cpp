@@ -1,0 +1,302 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "puadem/base/error.hpp"
+#include "puadem/io/case_file.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace puadem {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string beads = R"(
+title = "beads \u00b5 \"quoted\""
+seed = 7
+[domain]
+shape = [1, 1, 2]
+[grains]
+count = 5000
+material = "glass"
+grading = { by = "number", classes = [
+  { diameter = "0.60 mm", fraction = 0.35 },
+  { diameter = ["1.0 mm", "1.4 mm"], fraction = 0.65 } ] }
+[materials.glass]
+density = "2.5 g/cm3"
+youngs_modulus = "150 MPa"
+poisson_ratio = 0.25
+friction_angle = "25 deg"
+[materials."heavy metal"]
+density = "11 t/m3"
+[contact]
+law = "linear-spring"
+stiffness_ratio = 0.5
+wall_friction = 0.1
+[fluids]
+surface_tension = "50 mN/m"
+contact_angle = "20 deg"
+wetting = { viscosity = "2 mPa s", density = "900 kg/m3" }
+nonwetting = { viscosity = "18 uPa s" }
+[pores]
+entry_pressure = "haines"
+merge_ratio = "none"
+merge_limit = 9
+[[stage]]
+kind = "compact"
+stress = "5 kPa"
+porosity = 0.36
+porosity_region = "box"
+unbalanced = 1e-4
+damping = 0.2
+[[stage]]
+kind = "retention"
+grains = "fixed"
+air = "y+"
+water = "front"
+path = ["400 Pa", "1.3 kPa", 0]
+step = "50 Pa"
+snap_off = false
+trap_wetting = false
+trap_nonwetting = false
+corner_films = true
+corner_water = false
+wall_throats = false
+retention_law = "polyhedron"
+[output]
+fields = false
+fields_every = 4
+[[overlay]]
+label = "other"
+folder = "../other/run"
+[expected]
+porosity_core = [0.338, 0.342]
+"pc_star_half_drainage-1" = { value = 5, tolerance = 0.5 }
+trapped = { min = 0.01 }
+)";
+
+// A field added to Case, or to a struct in it, stops these from compiling: compare it then.
+bool same(const GradingClass& a, const GradingClass& b) {
+  const auto& [low, high, fraction] = a;
+  return low == b.diameter_min && high == b.diameter_max && fraction == b.fraction;
+}
+bool same(const Material& a, const Material& b) {
+  const auto& [name, density, youngs_modulus, poisson_ratio, friction_angle] = a;
+  return name == b.name && density == b.density && youngs_modulus == b.youngs_modulus && poisson_ratio == b.poisson_ratio &&
+         friction_angle == b.friction_angle;
+}
+bool same(const ContactOptions& a, const ContactOptions& b) {
+  const auto& [law, stiffness_ratio, wall_friction, wall_elasticity, restitution] = a;
+  return law == b.law && stiffness_ratio == b.stiffness_ratio && wall_friction == b.wall_friction &&
+         wall_elasticity == b.wall_elasticity && restitution == b.restitution;
+}
+bool same(const Fluid& a, const Fluid& b) {
+  const auto& [viscosity, density] = a;
+  return viscosity == b.viscosity && density == b.density;
+}
+bool same(const Fluids& a, const Fluids& b) {
+  const auto& [surface_tension, contact_angle, wetting, nonwetting] = a;
+  return surface_tension == b.surface_tension && contact_angle == b.contact_angle && same(wetting, b.wetting) &&
+         same(nonwetting, b.nonwetting);
+}
+bool same(const NetworkOptions& a, const NetworkOptions& b) {
+  const auto& [entry_law, contact_angle, merge_ratio, merge_limit] = a;
+  return entry_law.index() == b.entry_law.index() && contact_angle == b.contact_angle && merge_ratio == b.merge_ratio &&
+         merge_limit == b.merge_limit;
+}
+bool same(const CompactStage& a, const CompactStage& b) {
+  const auto& [stress, porosity, region, unbalanced, damping] = a;
+  return stress == b.stress && porosity == b.porosity && region == b.porosity_region && unbalanced == b.unbalanced &&
+         damping == b.damping;
+}
+bool same(const InvasionOptions& a, const InvasionOptions& b) {
+  const auto& [air, water, snap_off, trap_wetting, trap_nonwetting, films, corner_water, wall_throats, law] = a;
+  return air == b.nonwetting_face && water == b.wetting_face && snap_off == b.snap_off && trap_wetting == b.trap_wetting &&
+         trap_nonwetting == b.trap_nonwetting && films == b.corner_films && corner_water == b.corner_water &&
+         wall_throats == b.wall_throats && law.index() == b.retention_law.index();
+}
+bool same(const RetentionStage& a, const RetentionStage& b) {
+  const auto& [path, step, invasion] = a;
+  return path == b.path && step == b.step && same(invasion, b.invasion);
+}
+bool same(const Stage& a, const Stage& b) {
+  if (a.index() != b.index()) return false;
+  if (const auto* compact = std::get_if<CompactStage>(&a)) return same(*compact, std::get<CompactStage>(b));
+  return same(std::get<RetentionStage>(a), std::get<RetentionStage>(b));
+}
+bool same(const Overlay& a, const Overlay& b) {
+  const auto& [label, folder] = a;
+  return label == b.label && folder == b.folder;
+}
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b) {
+  return std::ranges::equal(a, b, [](const T& x, const T& y) { return same(x, y); });
+}
+bool same(const Case& a, const Case& b) {
+  const auto& [title, seed, domain, grains, materials, contact, fluids, pores, stages, output, overlays, expected] = a;
+  const auto& [size, shape, periodic] = domain;
+  const auto& [file, count, grading, material] = grains;
+  const auto& [by, classes] = grading;
+  const auto& [fields, fields_every] = output;
+  return title == b.title && seed == b.seed && size == b.domain.size && shape == b.domain.shape &&
+         periodic == b.domain.periodic && file == b.grains.file && count == b.grains.count && by == b.grains.grading.by &&
+         same(classes, b.grains.grading.classes) && material == b.grains.material && same(materials, b.materials) &&
+         same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) && same(stages, b.stages) &&
+         fields == b.output.fields && fields_every == b.output.fields_every && same(overlays, b.overlays) &&
+         std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
+           return x.first == y.first && x.second.low == y.second.low && x.second.high == y.second.high;
+         });
+}
+
+Case read(const std::string& text, std::vector<std::string> overrides = {}) {
+  return parse_case(text, "case.toml", "/study", overrides).c;
+}
+
+TEST(CaseFile, FillsEveryField) {
+  const Case c = read(beads, {"contact.wall_elasticity=rigid", "contact.restitution=0.8"});
+  EXPECT_EQ(c.title, "beads \xC2\xB5 \"quoted\"");
+  EXPECT_EQ(c.seed, 7U);
+  EXPECT_EQ(c.domain.shape, (Vec3{1, 1, 2}));
+  EXPECT_FALSE(c.domain.size);
+  EXPECT_EQ(c.grains.count, 5000);
+  EXPECT_EQ(c.grains.grading.by, Grading::By::number);
+  ASSERT_EQ(c.grains.grading.classes.size(), 2U);
+  EXPECT_TRUE(same(c.grains.grading.classes[0], {0.6e-3, 0.6e-3, 0.35}));
+  EXPECT_TRUE(same(c.grains.grading.classes[1], {1.0e-3, 1.4e-3, 0.65}));
+  ASSERT_EQ(c.materials.size(), 2U);
+  EXPECT_TRUE(same(c.materials[0], {"glass", 2500, 150e6, 0.25, 25 * (std::numbers::pi / 180)}));
+  EXPECT_EQ(c.materials[1].name, "heavy metal");
+  EXPECT_EQ(c.materials[1].density, 11000);
+  EXPECT_EQ(c.materials[1].youngs_modulus, Material{}.youngs_modulus);
+  EXPECT_EQ(c.contact.law, ContactOptions::Law::linear_spring);
+  EXPECT_EQ(c.contact.stiffness_ratio, 0.5);
+  EXPECT_EQ(c.contact.wall_friction, 0.1);
+  EXPECT_EQ(c.contact.wall_elasticity, ContactOptions::WallElasticity::rigid);
+  EXPECT_EQ(c.contact.restitution, 0.8);
+  EXPECT_EQ(c.fluids.surface_tension, 0.05);
+  EXPECT_EQ(c.fluids.contact_angle, 20 * (std::numbers::pi / 180));
+  EXPECT_TRUE(same(c.fluids.wetting, {2e-3, 900}));
+  EXPECT_TRUE(same(c.fluids.nonwetting, {18e-6, Fluids{}.nonwetting.density}));
+  EXPECT_TRUE(std::holds_alternative<Haines>(c.pores.entry_law));
+  EXPECT_EQ(c.pores.contact_angle, c.fluids.contact_angle);
+  EXPECT_EQ(c.pores.merge_ratio, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(c.pores.merge_limit, 9);
+  ASSERT_EQ(c.stages.size(), 2U);
+  EXPECT_TRUE(same(std::get<CompactStage>(c.stages[0]), {5e3, 0.36, CompactStage::Region::box, 1e-4, 0.2}));
+  const auto& retention = std::get<RetentionStage>(c.stages[1]);
+  EXPECT_THAT(retention.path, ElementsAre(400, 1300, 0));
+  EXPECT_EQ(retention.step, 50);
+  EXPECT_TRUE(same(retention.invasion, {3, 2, false, false, false, true, false, false, PolyhedronRetention{}}));
+  EXPECT_FALSE(c.output.fields);
+  EXPECT_EQ(c.output.fields_every, 4);
+  ASSERT_EQ(c.overlays.size(), 1U);
+  EXPECT_EQ(c.overlays[0].folder, "/other/run");
+  EXPECT_EQ(c.expected.at("porosity_core").low, 0.338);
+  EXPECT_EQ(c.expected.at("porosity_core").high, 0.342);
+  EXPECT_EQ(c.expected.at("pc_star_half_drainage-1").low, 4.5);
+  EXPECT_EQ(c.expected.at("trapped").high, std::numeric_limits<double>::infinity());
+}
+
+TEST(CaseFile, LeavesOutWhatHasADefault) {
+  const Case c = read(
+      "[grains]\ncount = 10\ngrading.classes = [{ diameter = 1e-3 }]\n[materials.glass]\n[[stage]]\nkind = \"compact\"\nstress = "
+      "100");
+  Case expected;
+  expected.grains.count = 10;
+  expected.grains.grading.classes = {{1e-3, 1e-3, 1.0}};
+  expected.materials.emplace_back();
+  CompactStage compact;
+  compact.stress = 100;
+  expected.stages.emplace_back(compact);
+  EXPECT_TRUE(same(c, expected));
+}
+
+TEST(ResolvedCase, ReadsBackToTheSameCase) {
+  const Case c = read(beads, {"contact.wall_elasticity=rigid", "contact.restitution=0.8"});
+  const Case back = parse_case(resolved_case(c), "resolved", "/elsewhere").c;
+  EXPECT_TRUE(same(back, c));
+  EXPECT_EQ(resolved_case(back), resolved_case(c));
+}
+
+TEST(ResolvedCase, OfAPackingFileReadsBack) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "p.csv") << "# box 1 1 1\n";
+  const Case c = parse_case(
+                     "[domain]\nperiodic = [\"y\", \"x\"]\n[grains]\nfile = \"p.csv\"\n[[stage]]\nkind = \"retention\"\npath = "
+                     "[1, 1e3]\n[expected]\nx = { max = 3 }",
+                     "case.toml", folder.path)
+                     .c;
+  EXPECT_EQ(c.grains.file, folder.path / "p.csv");
+  EXPECT_EQ(c.domain.periodic, (std::array<bool, 3>{true, true, false}));
+  EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/elsewhere").c, c));
+}
+
+TEST(ResolvedCase, KeepsABoxOfGivenSize) {
+  Case c = read(beads);
+  c.domain.size = Vec3{0.01, 0.02 / 3, 1e-2 / 7};
+  c.domain.shape = {1, 1, 1};
+  EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/").c, c));
+}
+
+TEST(Overrides, ReplaceAddAndIndex) {
+  const Case c = read(beads, {"grains.count=500", "stage.0.stress=7 kPa", "stage.1.path=[\"1 kPa\", 0.0]", "title=plain words",
+                              "fluids.wetting.density=\"1000 kg/m3\"", "contact.law=hertz-mindlin", "domain.periodic=[\"x\"]",
+                              "expected.x.min=3", "grains.grading.classes.0.diameter=0.5 mm"});
+  EXPECT_EQ(c.grains.count, 500);
+  EXPECT_EQ(std::get<CompactStage>(c.stages[0]).stress, 7e3);
+  EXPECT_THAT(std::get<RetentionStage>(c.stages[1]).path, ElementsAre(1000, 0));
+  EXPECT_EQ(c.title, "plain words");
+  EXPECT_EQ(c.fluids.wetting.density, 1000);
+  EXPECT_EQ(c.contact.law, ContactOptions::Law::hertz_mindlin);
+  EXPECT_TRUE(c.domain.periodic[0]);
+  EXPECT_EQ(c.expected.at("x").low, 3);
+  EXPECT_EQ(c.grains.grading.classes[0].diameter_max, 0.5e-3);
+}
+
+TEST(CaseFile, WarnsOfWhatIsHardlyMeant) {
+  const CaseFile file =
+      parse_case(beads, "case.toml", "/study",
+                 std::vector<std::string>{"fluids.surface_tension=72 N/m", "grains.grading.classes.0.diameter=0.35"});
+  std::string warnings;
+  for (const std::string& warning : file.warnings) warnings += warning + "\n";
+  EXPECT_THAT(warnings, HasSubstr("fluids.surface_tension = 72 N/m is unusual"));
+  EXPECT_THAT(warnings, HasSubstr("grains.grading.classes.0.diameter = 350 mm is unusual"));
+  EXPECT_THAT(warnings, HasSubstr("no such folder: /other/run"));
+}
+
+TEST(Keys, DescribeWhatTheReaderAccepts) {
+  std::set<std::string> names;
+  for (const KeyDoc& doc : all_keys()) {
+    EXPECT_TRUE(names.insert(doc.path).second) << doc.path;
+    EXPECT_FALSE(doc.help.empty()) << doc.path;
+    EXPECT_FALSE(doc.type.empty()) << doc.path;
+  }
+  // Every key that a full resolved case writes is documented.
+  const std::string resolved = resolved_case(read(beads, {"contact.restitution=0.8"}));
+  for (const char* key :
+       {"domain.periodic", "grains.grading.classes[].diameter", "materials.NAME.friction_angle", "stage[compact].stress",
+        "stage[retention].retention_law", "contact.restitution", "fluids.nonwetting.viscosity", "output.fields_every"}) {
+    EXPECT_TRUE(names.contains(key)) << key;
+    const std::string path = key;
+    EXPECT_THAT(resolved, HasSubstr("\n" + path.substr(path.rfind('.') + 1) + " = ")) << key;
+  }
+  EXPECT_THAT(keys_text("merge_ratio"), HasSubstr("pores.merge_ratio"));
+  EXPECT_THAT(keys_text("merge_ratio"), HasSubstr("\"none\""));
+  EXPECT_THAT(keys_markdown(), HasSubstr("## stage[retention]"));
+  try {
+    keys_text("strss");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean \"stress\"?"));
+  }
+}
+
+}  // namespace
+}  // namespace puadem
