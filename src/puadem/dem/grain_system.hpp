@@ -60,6 +60,7 @@ struct GrainSystem {
   MotionOptions motion;
   double time_step = 0.0;  ///< [s]
   long steps = 0;
+  bool is_evaluated = false;         ///< do the slots belong to the present places?
   std::vector<Vec3> external_force;  ///< by identity [N]; empty: none
 
   int owned = 0;  ///< grains; images follow them, then one dummy

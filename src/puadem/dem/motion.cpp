@@ -14,6 +14,7 @@ namespace puadem {
 namespace {
 
 constexpr int grains_per_chunk = 512;
+constexpr int grains_worth_threads = 4096;  // below, waking a thread costs more than it does
 
 struct MotionLoop {
   GrainRecord* record;
@@ -37,6 +38,18 @@ PUADEM_INLINE Lanes damped(const Lanes& acceleration, const Lanes& velocity, dou
   return acceleration * (power > zero ? broadcast(1.0 - damping) : (power < zero ? broadcast(1.0 + damping) : broadcast(1.0)));
 }
 
+/// Tangent of half the angle turned in a step, along the axis; tan(x) / x in powers of x^2. The material stays.
+PUADEM_INLINE Lanes turn_of(const GrainRecord& r, double dt) {
+  const Lanes half = (0.5 * dt) * Lanes{1.0, 1.0, 1.0, 0.0} * r.spin;
+  const double x2 = half[0] * half[0] + half[1] * half[1] + half[2] * half[2];
+  const double ratio = 1.0 + x2 * (1.0 / 3.0 + x2 * (2.0 / 15.0 + x2 * (17.0 / 315.0)));
+  return half * broadcast(ratio) + Lanes{0.0, 0.0, 0.0, r.turn[3]};
+}
+
+void set_turns(GrainSystem& s) {
+  for (GrainRecord& r : s.record) r.turn = turn_of(r, s.time_step);
+}
+
 /// @return largest squared speed relative to the box
 PUADEM_CLONES double move_chunk(const MotionLoop& loop, int begin, int end) {
   const Lanes in_space{1.0, 1.0, 1.0, 0.0};
@@ -57,10 +70,7 @@ PUADEM_CLONES double move_chunk(const MotionLoop& loop, int begin, int end) {
     r.spin += dt * damped(angular, r.spin, dt, loop.damping);
     const Lanes relative = in_space * r.drift - field;
     r.place += dt * in_space * r.drift;
-    const Lanes half = (0.5 * dt) * in_space * r.spin;  // to its tangent: tan(x) / x in powers of x^2
-    const double x2 = half[0] * half[0] + half[1] * half[1] + half[2] * half[2];
-    const double ratio = 1.0 + x2 * (1.0 / 3.0 + x2 * (2.0 / 15.0 + x2 * (17.0 / 315.0)));
-    r.turn = half * broadcast(ratio) + Lanes{0.0, 0.0, 0.0, r.turn[3]};
+    r.turn = turn_of(r, dt);
     const double speed2 = relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2];
     fastest = speed2 > fastest ? speed2 : fastest;
   }
@@ -90,9 +100,12 @@ void guard(const GrainSystem& s) {
 }  // namespace
 
 void evaluate_forces(GrainSystem& system) {
+  if (system.is_evaluated) return;  // the shear history takes up a displacement once
+  if (system.steps == 0) set_turns(system);
   renew_neighbour_list(system);
   update_images(system);
   update_contact_forces(system);
+  system.is_evaluated = true;
 }
 
 void move_grains(GrainSystem& s) {
@@ -118,12 +131,13 @@ void move_grains(GrainSystem& s) {
         const int begin = chunk * grains_per_chunk;
         fastest[to_size(chunk)] = move_chunk(loop, begin, std::min(begin + grains_per_chunk, s.owned));
       },
-      1);
+      s.owned < grains_worth_threads ? chunks : 1);
   double squared = 0.0;
   for (const double f : fastest) squared = f > squared || f != f ? f : squared;
   s.drift_limit = std::sqrt(squared);
   move_box(s);
   ++s.steps;
+  s.is_evaluated = false;
   guard(s);
 }
 

@@ -5,7 +5,8 @@
 namespace puadem {
 
 /// Brings list, images and contact forces to the present places, without moving anything: what a step
-/// begins with. With grains at rest it is a static evaluation.
+/// begins with. The velocities are those of the half step that led here; with grains at rest it is a
+/// static evaluation. Nothing happens where the forces are those of the present places already.
 void evaluate_forces(GrainSystem& system);
 
 /// One leap-frog step of `time_step` under the forces last evaluated (theory dem 9, 10), then the walls
