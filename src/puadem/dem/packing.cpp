@@ -129,15 +129,20 @@ void build_stress(Compaction& c) {
   }
 }
 
-/// Lowers the friction, near rest all the time, until the porosity is reached. The porosity falls by about
-/// 0.015 each time the friction falls by a factor e; a step aims at 40 % of what is left.
+/// Lowers the friction, near rest all the time, until the porosity is reached. A step aims at half of what
+/// is left, by the fall of porosity that the last step has brought.
 /// @return lowest friction used
 double lower_friction(Compaction& c, double friction, double target) {
-  const double start = c.porosity;
   constexpr double least_friction = 1e-3;
+  const double start = c.porosity;
+  double slope = 0.015;  // dn / d ln(mu), a guess for the first step
+  double last_porosity = start, last_step = 0.0;
   while (!c.stopped && c.porosity > target) {
-    if (at_rest(c, 1e-2, 0.03)) {
-      friction *= std::exp(-std::clamp(0.4 * (c.porosity - target) / 0.015, 0.03, 0.25));
+    if (at_rest(c, 2e-2, 0.05)) {
+      if (last_step > 0.0) slope = std::clamp((last_porosity - c.porosity) / last_step, 0.003, 0.03);
+      last_porosity = c.porosity;
+      last_step = std::clamp(0.5 * (c.porosity - target) / slope, 0.03, 0.4);
+      friction *= std::exp(-last_step);
       if (friction < least_friction) return 0.0;
       set_friction(c.system, friction);
     }
