@@ -90,7 +90,7 @@ RunResults run_stages(const Case& c, State& state, const Observer& observer, Run
     const auto missed = missed_bounds(c, results);
     if (results.interrupted) {
       outcome.exit_code = interrupted;
-      outcome.error = "interrupted; what was finished by then is in the results";
+      outcome.error = "interrupted";
     } else if (!missed.empty()) {
       outcome.exit_code = physics_stopped;
       outcome.error = summarised("results outside the bounds of [expected]:", missed);
@@ -131,10 +131,13 @@ int run_case(const RunOptions& options) {
     ProgressLine line(stderr);
     results = run_stages(file.c, state, combined(recorder, line, options.quiet), outcome);
   }
-  if (!outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
+  if (outcome.exit_code != interrupted && !outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
   finish_results(folder, file.c, state, &results, outcome.exit_code, outcome.error);
   std::error_code failed;
   if (!fs::exists(outcome.folder, failed)) outcome.folder.clear();
+  if (outcome.exit_code == interrupted)
+    fmt::print(stderr, "interrupted{}\n",
+               outcome.folder.empty() ? " before the first result; nothing is kept" : "; what was finished is kept");
   outcome.wall_time = std::chrono::duration<double>(ProgressLine::Clock::now() - began).count();
   if (options.json)
     fmt::print("{}", run_json(file.c, state, results, outcome));

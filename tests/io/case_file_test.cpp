@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -285,7 +286,7 @@ TEST(Keys, DescribeWhatTheReaderAccepts) {
         "stage[retention].retention_law", "contact.restitution", "fluids.nonwetting.viscosity", "output.fields_every"}) {
     EXPECT_TRUE(names.contains(key)) << key;
     const std::string path = key;
-    EXPECT_THAT(resolved, HasSubstr("\n" + path.substr(path.rfind('.') + 1) + " = ")) << key;
+    EXPECT_THAT(resolved, HasSubstr(fmt::format("\n{} = ", path.substr(path.rfind('.') + 1)))) << key;
   }
   EXPECT_THAT(keys_text("merge_ratio"), HasSubstr("pores.merge_ratio"));
   EXPECT_THAT(keys_text("merge_ratio"), HasSubstr("\"none\""));

@@ -266,6 +266,9 @@ bool expect_table(const TomlValue& value, Problems& problems) {
 KeyDoc describe_key(const std::string& path, const KeyInfo& info, const std::string& default_value) {
   KeyDoc doc{path, info.type, info.unit, allowed_text(info), default_value, info.example, info.help, info.required};
   if (!info.choices.empty()) doc.allowed = joined(info.choices);
+  // Bare SI numbers as a person would write them.
+  if (!info.unit.empty() && default_value.find_first_not_of("+-.0123456789e") == std::string::npos && !default_value.empty())
+    doc.default_value = show(std::stod(default_value), info.unit, 6);
   if (!info.default_note.empty()) doc.default_value = info.default_note;
   return doc;
 }

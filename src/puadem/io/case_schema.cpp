@@ -7,6 +7,7 @@
 
 #include "puadem/base/parallel.hpp"
 #include "puadem/io/key_builders.hpp"
+#include "puadem/io/units.hpp"
 
 namespace puadem {
 
@@ -192,8 +193,8 @@ Section<Fluid> fluid_section(const Fluid& defaults) {
                   &Fluid::viscosity),
       bind<Fluid>(quantity("density", "kg/m3", above(0), between(0.05, 2e4), R"("998 kg/m3")", "of the fluid"), &Fluid::density),
   }};
-  section.fields[0].info.default_note = fmt::format("{}", defaults.viscosity);
-  section.fields[1].info.default_note = fmt::format("{}", defaults.density);
+  section.fields[0].info.default_note = show(defaults.viscosity, "Pa s");
+  section.fields[1].info.default_note = show(defaults.density, "kg/m3");
   return section;
 }
 const Section<Fluid>& wetting_section() {

@@ -89,7 +89,7 @@ void describe_grains(const Case& c, const Basis& basis, CaseSummary& summary) {
                   show(basis.box.y, "m", 3), show(basis.box.z, "m", 3), basis.box_is_estimate ? "about " : "", basis.porosity,
                   faces_text(c.domain.periodic)));
   const double narrowest = std::min({basis.box.x, basis.box.y, basis.box.z});
-  if (narrowest < 10.0 * 2.0 * s.largest)
+  if (narrowest < 6.0 * 2.0 * s.largest)
     summary.warnings.push_back(fmt::format("the box is {:.2g} largest diameters wide; walls shape the results below about 10",
                                            narrowest / (2.0 * s.largest)));
 }
@@ -113,18 +113,17 @@ void describe_fluids(const Case& c, const Basis& basis, CaseSummary& summary) {
                   std::visit([](const auto& law) { return law.name; }, c.pores.entry_law)));
   // Gravity is left out: the Bond number says whether that is right.
   const double bond = std::abs(c.fluids.wetting.density - c.fluids.nonwetting.density) * 9.81 * basis.box.z / scale;
-  add(summary, "", fmt::format("no gravity; over the height of the box it would be {:.2g} of gamma / <r>", bond));
-  if (bond > 0.5)
+  add(summary, "", fmt::format("no gravity; over the height of the box it would be {:.2f} of gamma / <r>", bond));
+  if (bond > 1.0)
     summary.warnings.push_back(fmt::format("gravity is left out, but over this box it is {:.2g} of gamma / <r>", bond));
-  if (!c.grains.file || !c.stages.empty())
-    for (int i = 0; i < size_of(c.stages); ++i)
-      if (const auto* retention = std::get_if<RetentionStage>(&c.stages[to_size(i)])) {
-        const double top = *std::ranges::max_element(retention->path);
-        if (top < low * cosine * scale)
-          summary.warnings.push_back(
-              fmt::format("stage.{}.path ends at {}, below the pressures at which air is expected to enter (about {})", i,
-                          show(top, "Pa"), show(low * cosine * scale, "Pa", 2)));
-      }
+  for (int i = 0; i < size_of(c.stages); ++i)
+    if (const auto* retention = std::get_if<RetentionStage>(&c.stages[to_size(i)])) {
+      const double top = *std::ranges::max_element(retention->path);
+      if (top < low * cosine * scale)
+        summary.warnings.push_back(
+            fmt::format("stage.{}.path ends at {}, below the pressures at which air is expected to enter (about {})", i,
+                        show(top, "Pa"), show(low * cosine * scale, "Pa", 2)));
+    }
 }
 
 /// Critical time step of a typical grain of the smallest size under the target stress: the mean contact
@@ -195,10 +194,10 @@ void describe_stages(const Case& c, const Basis& basis, CaseSummary& summary) {
   // geometry in the network.
   constexpr double bytes_per_grain = 9000.0, bytes_of_fields = 1800.0;
   const double memory = 30e6 + bytes_per_grain * basis.grains;
-  add(summary, "memory", fmt::format("about {:.2g} MB", memory / 1e6));
+  add(summary, "memory", fmt::format("about {:.0f} MB", memory / 1e6));
   const int frames = c.output.fields ? (equilibria + c.output.fields_every - 1) / c.output.fields_every : 0;
   add(summary, "output",
-      fmt::format("{} equilibria, {} sets of fields, about {:.2g} MB on disk", equilibria, frames,
+      fmt::format("{} equilibria, {} sets of fields, about {:.0f} MB on disk", equilibria, frames,
                   1.0 + frames * bytes_of_fields * basis.grains / 1e6));
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -31,6 +33,17 @@ std::string retention_table(const State& state) {
   return text;
 }
 
+/// The results that most readers want; the rest is in manifest.json.
+bool is_shown(std::string_view name) {
+  static constexpr std::array<std::string_view, 13> beginnings{
+      "porosity_", "stress_mean_",  "unbalanced_",     "coordination_",           "radius_mean_", "pores",  "throats",
+      "pc_half_",  "pc_star_half_", "saturation_end_", "trapped_nonwetting_end_", "loop_area_",   "ledger_"};
+  const auto begins = [&](std::string_view beginning) {
+    return beginning.ends_with('_') ? name.starts_with(beginning) : name == beginning;
+  };
+  return std::ranges::any_of(beginnings, begins);
+}
+
 std::string bound_text(const Expected& e) {
   if (std::isinf(e.high)) return fmt::format(">= {:.6g}", e.low);
   if (std::isinf(e.low)) return fmt::format("<= {:.6g}", e.high);
@@ -55,7 +68,8 @@ std::vector<std::string> missed_bounds(const Case& c, const RunResults& results)
 std::string run_text(const Case& c, const State& state, const RunResults& results, const RunOutcome& outcome) {
   std::string text = retention_table(state);
   if (!text.empty()) text += "\n";
-  for (const auto& [name, value] : results.scalars) text += fmt::format("{:<40} {:.6g}\n", name, value);
+  for (const auto& [name, value] : results.scalars)
+    if (is_shown(name)) text += fmt::format("{:<40} {:.6g}\n", name, value);
   const std::size_t missed = missed_bounds(c, results).size();
   if (!c.expected.empty()) text += fmt::format("{} of {} expected bounds hold\n", c.expected.size() - missed, c.expected.size());
   text += fmt::format("\n{} wall time, {:.0f} MB peak memory\n", show_duration(outcome.wall_time),

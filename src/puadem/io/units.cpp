@@ -257,7 +257,11 @@ double scaled_number(std::string_view number, int exponent, std::size_t begin) {
   return value;
 }
 
-std::string rounded(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+/// Rounded to significant digits, with an exponent only where the number is far from 1.
+std::string rounded(double value, int digits) {
+  if (!std::isfinite(value)) return fmt::format("{}", value);
+  return fmt::format("{}", std::stod(fmt::format("{:.{}e}", value, digits - 1)));
+}
 
 }  // namespace
 
