@@ -28,7 +28,7 @@ struct Progress {
 struct Observer {
   std::function<bool(const Progress&)> progress;
   std::function<void(std::string_view)> message;
-  std::function<void(const State&)> packed;                              ///< packing and network are made
+  std::function<void(const State&)> packed;                              ///< the packing is at rest and, where a stage needs one, its network is made
   std::function<void(const State&, const RetentionRow&)> equilibrium;    ///< one retention row is reached
   std::function<void(const State&, const InvasionEvent&)> event;         ///< one invasion event has happened
 };

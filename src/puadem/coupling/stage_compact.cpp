@@ -54,6 +54,9 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   s["largest_overlap"] = r.largest_overlap;
   s["dem_time_step_s"] = r.time_step;
   s["dem_steps"] = static_cast<double>(r.steps);
+
+  const bool network_follows = std::ranges::any_of(c.stages, [](const Stage& next) { return std::holds_alternative<RetentionStage>(next); });
+  if (!network_follows && observer.packed) observer.packed(state);
 }
 
 void describe_packing(const State& state, RunResults& results) {

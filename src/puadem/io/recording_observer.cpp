@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "puadem/io/packing_file.hpp"
 #include "puadem/io/results_folder.hpp"
 #include "puadem/io/series_writer.hpp"
 #include "puadem/io/vtk_fields.hpp"
@@ -69,6 +70,7 @@ void write_distributions(ResultsFolder& folder, const State& state) {
 
 void record_packing(ResultsFolder& folder, const Case& c, const State& state) {
   write_distributions(folder, state);
+  write_packing(folder.path / "packing.csv", state.particles.position, state.particles.radius, state.domain);
   if (c.output.fields) {
     write_frame(folder, folder.grain_frames, "grains", 0.0, grain_fields(state));
     const bool is_last = std::ranges::none_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); });
@@ -77,6 +79,8 @@ void record_packing(ResultsFolder& folder, const Case& c, const State& state) {
       write_frame(folder, folder.throat_frames, "throats", 0.0, throat_fields(state, c.fluids));
     }
   }
+  record_message(folder, fmt::format("{} grains, {} pore units, {} throats", state.particles.size(), state.network.pores(),
+                                     state.network.throats()));
   folder.has_result = true;
 }
 
@@ -96,6 +100,7 @@ void record_equilibrium(ResultsFolder& folder, const Case& c, const State& state
     write_frame(folder, folder.pore_frames, "pores", time, pores);
     write_frame(folder, folder.throat_frames, "throats", time, throats);
   }
+  record_message(folder, fmt::format("{}: p_c = {:.6g} Pa, S = {:.6f}", row.branch, row.capillary_pressure, row.saturation));
   ++folder.equilibria;
   folder.has_result = true;
 }
