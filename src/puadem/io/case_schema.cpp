@@ -108,14 +108,14 @@ const Section<GrainOptions>& grains_section() {
             &GrainOptions::file),
         bind<GrainOptions>(noted(whole("count", 1, 1e8, "number of grains; with grading", "5000"), "required without file"),
                            &GrainOptions::count),
-        bind_table<GrainOptions>(plain("grading", "a table", "sizes of the grains"), grading_section, &GrainOptions::grading),
         bind<GrainOptions>(plain("material", "a name", "what the grains are made of: a table [materials.NAME]", R"("glass")"),
                            &GrainOptions::material),
+        bind_table<GrainOptions>(plain("grading", "a table", "sizes of the grains"), grading_section, &GrainOptions::grading),
     }};
     // A packing file replaces count and grading.
     auto& count = s.fields[1];
     count.write = [write = count.write](const GrainOptions& g) { return g.file ? std::string() : write(g); };
-    auto& grading = s.fields[2];
+    auto& grading = s.fields[3];
     grading.write_tables = [write = grading.write_tables](const std::string& path, const GrainOptions& g) {
       return g.file || g.grading.classes.empty() ? std::string() : write(path, g);
     };
@@ -339,8 +339,7 @@ Field<Case> domain_field() {
 const Section<Case>& case_section() {
   static const Section<Case> section{{
       bind<Case>(plain("title", "a text", "name of the case in reports and folders", R"("glass beads")"), &Case::title),
-      bind<Case>(whole("seed", 0, 9007199254740992.0, "of the random numbers: the same seed gives the same run", "1"),
-                 &Case::seed),
+      bind<Case>(whole("seed", 0, 1e15, "of the random numbers: the same seed gives the same run", "1"), &Case::seed),
       domain_field(),
       bind_table<Case>(
           needed(plain("grains", "a table", "where the grains come from; write [grains] with count and grading, or file")),
