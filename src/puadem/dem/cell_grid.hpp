@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "puadem/base/parallel.hpp"
 #include "puadem/base/vec3.hpp"
 #include "puadem/dem/lanes.hpp"
 
@@ -14,7 +15,7 @@ struct CellGrid {
   double width = 0.0;  ///< [m]
   int nx = 0, ny = 0, nz = 0;
   std::vector<int> start;    ///< spheres of cell c: [start[c], start[c + 1])
-  std::vector<int> sphere;   ///< ascending within a cell
+  std::vector<int> sphere;   ///< by number, ascending within a cell
   std::vector<Lanes> place;  ///< of those spheres: x, y, z, radius
 
   int cell_along(double x, double low, int n) const {
@@ -27,9 +28,10 @@ struct CellGrid {
   int index(int i, int j, int k) const { return (k * ny + j) * nx + i; }
 };
 
-/// @param place  x, y, z, radius of every sphere
-/// @param width  least width of a cell [m]; a larger one is taken where cells would outnumber spheres
-CellGrid make_cell_grid(std::span<const Lanes> place, double width);
+/// @param place   x, y, z, radius of every sphere
+/// @param sphere  which of them to sort in
+/// @param width   least width of a cell [m]; a larger one is taken where cells would outnumber spheres
+CellGrid make_cell_grid(std::span<const Lanes> place, std::span<const int> sphere, double width);
 
 /// Calls `visit(b)` for every sphere b of the cells around `a` with |x_a - x_b| < r_a + r_b + margin.
 template <class Visit>
@@ -38,14 +40,35 @@ void for_each_near(const CellGrid& grid, const Lanes& a, double margin, const Vi
   for (int k = ck > 0 ? ck - 1 : 0; k <= ck + 1 && k < grid.nz; ++k)
     for (int j = cj > 0 ? cj - 1 : 0; j <= cj + 1 && j < grid.ny; ++j) {
       const int from = grid.index(ci > 0 ? ci - 1 : 0, j, k), to = grid.index(ci + 1 < grid.nx ? ci + 1 : ci, j, k);
-      const int end = grid.start[static_cast<std::size_t>(to) + 1];
-      for (int e = grid.start[static_cast<std::size_t>(from)]; e < end; ++e) {
-        const Lanes& b = grid.place[static_cast<std::size_t>(e)];
+      const int end = grid.start[to_size(to) + 1];
+      for (int e = grid.start[to_size(from)]; e < end; ++e) {
+        const Lanes& b = grid.place[to_size(e)];
         const Lanes d = a - b;
         const double reach = a[3] + b[3] + margin;
-        if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach) visit(grid.sphere[static_cast<std::size_t>(e)]);
+        if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach) visit(grid.sphere[to_size(e)]);
       }
     }
+}
+
+/// One grid for every halving of the radius: a sphere meets others of its size and larger ones in the
+/// few cells around it, so that the search stays linear for any range of sizes.
+struct SizedGrids {
+  std::vector<CellGrid> grid;  ///< the coarsest first; those without a sphere are left out
+  std::vector<int> level;      ///< of every sphere
+};
+SizedGrids make_sized_grids(std::span<const Lanes> place, double margin);
+
+/// Calls `visit(a, b)` once for every two spheres with |x_a - x_b| < r_a + r_b + margin, in order of a.
+template <class Visit>
+void for_each_close_pair(const SizedGrids& grids, std::span<const Lanes> place, double margin, const Visit& visit) {
+  for (int a = 0; a < size_of(place); ++a) {
+    const int own = grids.level[to_size(a)];
+    for (int level = 0; level < own; ++level)
+      for_each_near(grids.grid[to_size(level)], place[to_size(a)], margin, [&](int b) { visit(a, b); });
+    for_each_near(grids.grid[to_size(own)], place[to_size(a)], margin, [&](int b) {
+      if (b > a) visit(a, b);
+    });
+  }
 }
 
 }  // namespace puadem

@@ -18,7 +18,13 @@ struct ContactOptions {
   double wall_friction = 0.0;    ///< mu between grains and walls [-]
   WallElasticity wall_elasticity = WallElasticity::material;
   std::optional<double> restitution;  ///< coefficient of normal restitution in (0, 1]; none: no viscous part
+  double rolling_stiffness = 0.0;     ///< alpha_r: k_r = alpha_r k_s R_i R_j [-]
+  double rolling_friction = 0.0;      ///< eta_r: moment up to eta_r min(R_i, R_j) F_n [-]; 0: grains roll freely
+  double twisting_stiffness = 0.0;    ///< alpha_t, about the normal [-]
+  double twisting_friction = 0.0;     ///< eta_t [-]; 0: grains twist freely
 };
+
+inline bool resists_rolling(const ContactOptions& o) { return o.rolling_friction > 0.0 || o.twisting_friction > 0.0; }
 
 /// What a law of contact gives: a normal force and two tangent stiffnesses as functions of the overlap.
 /// All else (slip, rotation of the history, Coulomb limit, viscous part) is the same for every law and

@@ -65,6 +65,10 @@ void collect(const GrainSystem& s, Particles& particles) {
     const SlotSum sum = sum_slots(s.slot.data(), s.row.data(), s.row_start[to_size(k)], s.row_start[to_size(k) + 1]);
     particles.force[i] = vec3(sum.force);
     particles.torque[i] = -radius_of(r) * vec3(sum.moment);
+    for (int e = s.row_start[to_size(k)]; e < s.row_start[to_size(k) + 1] && !s.roll_slot.empty(); ++e) {
+      const int place = s.row[to_size(e)];
+      particles.torque[i] += (place % 2 == 1 ? 1.0 : -1.0) * vec3(s.roll_slot[to_size(place / 2)].moment);
+    }
     if (!s.external_force.empty()) particles.force[i] += s.external_force[i];
     particles.force[i] += mass_of(r) * s.motion.gravity;
   }

@@ -29,6 +29,17 @@ struct alignas(64) ContactSlot {
   Lanes moment;  ///< normal x shear force [N]; times -R it is the torque on either grain; tangent stiffness k_n [N/m]
 };
 
+/// Moment by which a contact resists rolling and twisting, on the second grain [N m].
+struct alignas(32) RollSlot {
+  Lanes moment;
+};
+
+/// History of that moment: its part across the normal, and about it [N m].
+struct alignas(32) RollHistory {
+  LaneVec3 bend;
+  Lanes twist;
+};
+
 /// Candidate contacts in blocks of four; a block is padded with the dummy record. Between grains the first
 /// has the lower identity, so that a contact has one orientation however the records are sorted. A
 /// contact with a wall names the grain as second.
@@ -36,8 +47,20 @@ struct ContactBlocks {
   std::vector<std::array<int, 4>> first;  ///< record indices; for wall contacts the wall
   std::vector<std::array<int, 4>> second;
   std::vector<LaneVec3> shear;     ///< history: shear force on the second grain [N]
+  std::vector<RollHistory> roll;   ///< empty unless contacts resist rolling
   std::vector<std::uint8_t> live;  ///< is any slot or history of the block not zero?
   int size() const { return size_of(first); }
+};
+
+/// Work done since `is_kept` was set [J]. Stored energies are functions of the state, see energy.hpp.
+struct EnergyBook {
+  bool is_kept = false;
+  double shear = 0.0;    ///< taken up by shear springs and sliders
+  double roll = 0.0;     ///< taken up by rolling and twisting springs and sliders
+  double viscous = 0.0;  ///< lost in viscous contacts
+  double damping = 0.0;  ///< lost to local damping
+  double walls = 0.0;    ///< done by walls on grains
+  double body = 0.0;     ///< done by gravity and external forces
 };
 
 /// How grains are moved.
@@ -60,7 +83,8 @@ struct GrainSystem {
   MotionOptions motion;
   double time_step = 0.0;  ///< [s]
   long steps = 0;
-  bool is_evaluated = false;         ///< do the slots belong to the present places?
+  bool is_evaluated = false;  ///< do the slots belong to the present places?
+  EnergyBook energy;
   std::vector<Vec3> external_force;  ///< by identity [N]; empty: none
 
   int owned = 0;  ///< grains; images follow them, then one dummy
@@ -80,10 +104,11 @@ struct GrainSystem {
 
   ContactBlocks grain_contacts;
   ContactBlocks wall_contacts;
-  std::vector<int> wall_start;    ///< blocks of wall w: wall_start[w] .. wall_start[w + 1]
-  std::vector<ContactSlot> slot;  ///< of grain contacts, then of wall contacts
-  std::vector<int> row_start;     ///< slots of record k: row[row_start[k]] .. row[row_start[k + 1]], by identity of the partner
-  std::vector<int> row;           ///< 2 * slot + (is the grain the second one)
+  std::vector<int> wall_start;      ///< blocks of wall w: wall_start[w] .. wall_start[w + 1]
+  std::vector<ContactSlot> slot;    ///< of grain contacts, then of wall contacts
+  std::vector<RollSlot> roll_slot;  ///< like `slot`; empty unless contacts resist rolling
+  std::vector<int> row_start;       ///< slots of record k: row[row_start[k]] .. row[row_start[k + 1]], by identity of the partner
+  std::vector<int> row;             ///< 2 * slot + (is the grain the second one)
 };
 
 /// A system that holds `particles` in a box with six walls or periodic faces, list and forces not yet made.

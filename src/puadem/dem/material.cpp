@@ -40,6 +40,10 @@ MaterialPairs material_pairs(std::span<const Material> materials, const ContactO
   require(!materials.empty(), "no material is given: a grain needs one");
   require(options.stiffness_ratio >= 0.0, "contact.stiffness_ratio = {} must not be negative", options.stiffness_ratio);
   require(options.wall_friction >= 0.0, "contact.wall_friction = {} must not be negative", options.wall_friction);
+  require(options.rolling_stiffness >= 0.0 && options.rolling_friction >= 0.0 && options.twisting_stiffness >= 0.0 &&
+              options.twisting_friction >= 0.0,
+          "contact: rolling and twisting stiffness and friction ({}, {}, {}, {}) must not be negative", options.rolling_stiffness,
+          options.rolling_friction, options.twisting_stiffness, options.twisting_friction);
   for (const Material& m : materials) check(m);
 
   const double damping = damping_ratio(options);

@@ -19,6 +19,7 @@ constexpr int grains_worth_threads = 4096;  // below, waking a thread costs more
 struct MotionLoop {
   GrainRecord* record;
   const ContactSlot* slot;
+  const RollSlot* roll_slot;  ///< null without rolling resistance
   const int* row_start;
   const int* row;
   const int* identity;
@@ -28,6 +29,7 @@ struct MotionLoop {
   Lanes strain_rate;  ///< of the homogeneous field that damping does not act on [1/s]
   double time_step;
   double damping;
+  bool keeps_energy;
 };
 
 /// Local damping takes a share of every component of the force that does work and adds it to one that
@@ -50,37 +52,63 @@ void set_turns(GrainSystem& s) {
   for (GrainRecord& r : s.record) r.turn = turn_of(r, s.time_step);
 }
 
-/// @return largest squared speed relative to the box
-PUADEM_CLONES double move_chunk(const MotionLoop& loop, int begin, int end) {
+/// What a chunk of grains hands back.
+struct Motion {
+  double fastest = 0.0;  ///< largest squared speed relative to the box [m2/s2]
+  double damping = 0.0;  ///< energy lost to local damping [J]
+  double body = 0.0;     ///< work of gravity and external forces [J]
+};
+
+double dot3(const Lanes& a, const Lanes& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+PUADEM_INLINE Lanes sum_couples(const RollSlot* slot, const int* row, int begin, int end) {
+  Lanes sum{};
+  for (int e = begin; e < end; ++e) sum += broadcast((row[e] & 1) != 0 ? 1.0 : -1.0) * slot[row[e] >> 1].moment;
+  return sum;
+}
+
+PUADEM_CLONES Motion move_chunk(const MotionLoop& loop, int begin, int end) {
   const Lanes in_space{1.0, 1.0, 1.0, 0.0};
   const double dt = loop.time_step;
-  double fastest = 0.0;
+  Motion motion;
   for (int k = begin; k < end; ++k) {
     const SlotSum sum = sum_slots(loop.slot, loop.row, loop.row_start[k], loop.row_start[k + 1]);
     GrainRecord& r = loop.record[k];
-    Lanes force = sum.force;
+    Lanes body = broadcast(r.drift[3]) * loop.gravity;
     if (loop.external != nullptr) {
       const Vec3& f = loop.external[loop.identity[k]];
-      force += Lanes{f.x, f.y, f.z, 0.0};
+      body += Lanes{f.x, f.y, f.z, 0.0};
     }
-    const Lanes acceleration = in_space * (force * broadcast(1.0 / r.drift[3]) + loop.gravity);
-    const Lanes angular = in_space * (sum.moment * broadcast(-r.place[3] / r.spin[3]));
+    Lanes couple = broadcast(-r.place[3]) * sum.moment;
+    if (loop.roll_slot != nullptr) couple += sum_couples(loop.roll_slot, loop.row, loop.row_start[k], loop.row_start[k + 1]);
+    const Lanes acceleration = in_space * ((sum.force + body) * broadcast(1.0 / r.drift[3]));
+    const Lanes angular = in_space * (couple * broadcast(1.0 / r.spin[3]));
     const Lanes field = loop.strain_rate * (r.place - loop.lower);
-    r.drift += dt * damped(acceleration, in_space * r.drift - field, dt, loop.damping);
-    r.spin += dt * damped(angular, r.spin, dt, loop.damping);
+    const Lanes change = dt * damped(acceleration, in_space * r.drift - field, dt, loop.damping);
+    const Lanes spin_change = dt * damped(angular, r.spin, dt, loop.damping);
+    if (loop.keeps_energy) {  // with the mean of the velocities before and after, the balance of a step is exact
+      const Lanes mean = r.drift + 0.5 * change, mean_spin = r.spin + 0.5 * spin_change;
+      motion.damping +=
+          r.drift[3] * dot3(dt * acceleration - change, mean) + r.spin[3] * dot3(dt * angular - spin_change, mean_spin);
+      motion.body += dt * dot3(body, mean);
+    }
+    r.drift += change;
+    r.spin += spin_change;
     const Lanes relative = in_space * r.drift - field;
     r.place += dt * in_space * r.drift;
     r.turn = turn_of(r, dt);
     const double speed2 = relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2];
-    fastest = speed2 > fastest ? speed2 : fastest;
+    motion.fastest = speed2 > motion.fastest || speed2 != speed2 ? speed2 : motion.fastest;
   }
-  return fastest;
+  return motion;
 }
 
 void move_box(GrainSystem& s) {
   const Vec3 size = s.domain.size();
   double wall_speed = 0.0;
   for (Wall& wall : s.walls) {
+    if (s.energy.is_kept) s.energy.walls -= 0.5 * s.time_step * dot(wall.force, wall.last_velocity + wall.velocity);
+    wall.last_velocity = wall.velocity;
     wall.point += s.time_step * wall.velocity;
     wall_speed = std::max(wall_speed, std::abs(dot(wall.velocity, wall.normal)));
   }
@@ -114,6 +142,7 @@ void move_grains(GrainSystem& s) {
   if (s.motion.strain_with_box) strain_rate = Lanes{s.box_rate.x / size.x, s.box_rate.y / size.y, s.box_rate.z / size.z, 0.0};
   const MotionLoop loop{.record = s.record.data(),
                         .slot = s.slot.data(),
+                        .roll_slot = s.roll_slot.empty() ? nullptr : s.roll_slot.data(),
                         .row_start = s.row_start.data(),
                         .row = s.row.data(),
                         .identity = s.identity.data(),
@@ -122,18 +151,23 @@ void move_grains(GrainSystem& s) {
                         .lower = Lanes{s.domain.lower.x, s.domain.lower.y, s.domain.lower.z, 0.0},
                         .strain_rate = strain_rate,
                         .time_step = s.time_step,
-                        .damping = s.motion.damping};
+                        .damping = s.motion.damping,
+                        .keeps_energy = s.energy.is_kept};
   const int chunks = (s.owned + grains_per_chunk - 1) / grains_per_chunk;
-  std::vector<double> fastest(to_size(chunks));
+  std::vector<Motion> moved(to_size(chunks));
   parallel_for(
       chunks,
       [&](int chunk) {
         const int begin = chunk * grains_per_chunk;
-        fastest[to_size(chunk)] = move_chunk(loop, begin, std::min(begin + grains_per_chunk, s.owned));
+        moved[to_size(chunk)] = move_chunk(loop, begin, std::min(begin + grains_per_chunk, s.owned));
       },
       s.owned < grains_worth_threads ? chunks : 1);
   double squared = 0.0;
-  for (const double f : fastest) squared = f > squared || f != f ? f : squared;
+  for (const Motion& m : moved) {
+    squared = m.fastest > squared || m.fastest != m.fastest ? m.fastest : squared;
+    s.energy.damping += m.damping;
+    s.energy.body += m.body;
+  }
   s.drift_limit = std::sqrt(squared);
   move_box(s);
   ++s.steps;
@@ -151,12 +185,14 @@ void advance_grains(GrainSystem& system, long steps) {
 
 TimeStepLimit critical_time_step(const GrainSystem& s) {
   std::vector<Vec3> push(to_size(s.owned)), roll(to_size(s.owned));
-  const auto add = [&](int record, const Vec3& normal, double kn, double ks) {
+  const auto add = [&](int record, const Vec3& normal, double kn, double ks, double other_radius) {
     const double r = radius_of(s.record[to_size(record)]);
+    const double bend = resists_rolling(s.contact) ? s.contact.rolling_stiffness * ks * r * other_radius : 0.0;
+    const double twist = resists_rolling(s.contact) ? s.contact.twisting_stiffness * ks * r * other_radius : 0.0;
     for (int axis = 0; axis < 3; ++axis) {
       const double n2 = normal[axis] * normal[axis];
       push[to_size(record)][axis] += kn * n2 + ks * (1.0 - n2);
-      roll[to_size(record)][axis] += ks * r * r * (1.0 - n2);
+      roll[to_size(record)][axis] += (ks * r * r + bend) * (1.0 - n2) + twist * n2;
     }
   };
   std::visit(
@@ -166,15 +202,16 @@ TimeStepLimit critical_time_step(const GrainSystem& s) {
           const auto& pair =
               s.pairs.grains[to_size(material_of(s.record[to_size(i)]) * s.pairs.materials + material_of(s.record[to_size(j)]))];
           const double kn = s.slot[to_size(slot)].moment[3];
-          const double ks = pair.friction > 0.0 ? Law::stiffness_ratio(pair) * kn : 0.0;
-          add(i, normalized(branch), kn, ks);
-          add(j, normalized(branch), kn, ks);
+          const double ks = pair.friction > 0.0 || resists_rolling(s.contact) ? Law::stiffness_ratio(pair) * kn : 0.0;
+          add(i, normalized(branch), kn, ks, radius_of(s.record[to_size(j)]));
+          add(j, normalized(branch), kn, ks, radius_of(s.record[to_size(i)]));
         });
         for_each_wall_contact(s, [&](int wall, int record, const Vec3&, int slot) {
           const auto& pair = s.pairs.walls[to_size(material_of(s.record[to_size(record)]))];
           const double kn = s.slot[to_size(slot)].moment[3];
-          const double ks = s.walls[to_size(wall)].friction > 0.0 ? Law::stiffness_ratio(pair) * kn : 0.0;
-          add(record, s.walls[to_size(wall)].normal, kn, ks);
+          const double ks =
+              s.walls[to_size(wall)].friction > 0.0 || resists_rolling(s.contact) ? Law::stiffness_ratio(pair) * kn : 0.0;
+          add(record, s.walls[to_size(wall)].normal, kn, ks, radius_of(s.record[to_size(record)]));
         });
       },
       s.law);

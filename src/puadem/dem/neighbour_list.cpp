@@ -7,16 +7,11 @@
 #include "puadem/base/csr.hpp"
 #include "puadem/base/error.hpp"
 #include "puadem/dem/cell_grid.hpp"
+#include "puadem/dem/contact_history.hpp"
 
 namespace puadem {
 
 namespace {
-
-/// A contact that is in force, to be found again in the new list.
-struct KeptContact {
-  int partner;     ///< identity; of a wall contact the wall
-  LaneVec3 shear;  ///< lane 0
-};
 
 std::uint64_t spread_bits(std::uint64_t v) {
   v &= 0x1fffff;
@@ -100,99 +95,71 @@ void make_images(GrainSystem& s, double largest_radius) {
   update_images(s);
 }
 
-/// Contacts in force of the old list, by lower identity, and of walls by identity of the grain.
-std::vector<std::vector<KeptContact>> contacts_in_force(const GrainSystem& s, const ContactBlocks& blocks, bool with_walls) {
-  std::vector<std::vector<KeptContact>> kept(to_size(s.owned));
-  for (int b = 0; b < blocks.size(); ++b) {
-    if (blocks.live[to_size(b)] == 0) continue;
-    const LaneVec3& h = blocks.shear[to_size(b)];
-    for (int l = 0; l < lane_count; ++l) {
-      if (h.x[l] == 0.0 && h.y[l] == 0.0 && h.z[l] == 0.0) continue;
-      const int first = blocks.first[to_size(b)][to_size(l)];
-      const int second = s.identity[to_size(blocks.second[to_size(b)][to_size(l)])];
-      const LaneVec3 shear{broadcast(h.x[l]), broadcast(h.y[l]), broadcast(h.z[l])};
-      if (with_walls)
-        kept[to_size(second)].push_back({first, shear});
-      else
-        kept[to_size(s.identity[to_size(first)])].push_back({second, shear});
-    }
-  }
-  return kept;
-}
-
 struct Candidate {
   int first, second;  ///< records; for walls the wall first
 };
 
 /// Appends candidates as full blocks with the history kept for them.
+/// @param owner, partner  names of a candidate in the history
 template <class Owner, class Partner>
-void append(ContactBlocks& blocks, const std::vector<Candidate>& candidates, const std::vector<std::vector<KeptContact>>& kept,
-            int dummy, int dummy_first, const Owner& owner, const Partner& partner) {
+void append(ContactBlocks& blocks, const std::vector<Candidate>& candidates, const ContactHistory& history, bool rolls, int dummy,
+            int dummy_first, const Owner& owner, const Partner& partner) {
   for (int c = 0; c < size_of(candidates); c += lane_count) {
-    std::array<int, 4> first{dummy_first, dummy_first, dummy_first, dummy_first}, second{dummy, dummy, dummy, dummy};
-    LaneVec3 shear{};
+    blocks.first.push_back({dummy_first, dummy_first, dummy_first, dummy_first});
+    blocks.second.push_back({dummy, dummy, dummy, dummy});
+    blocks.shear.push_back(LaneVec3{});
+    if (rolls) blocks.roll.push_back(RollHistory{});
+    blocks.live.push_back(1);
     for (int l = 0; l < lane_count && c + l < size_of(candidates); ++l) {
       const Candidate& candidate = candidates[to_size(c + l)];
-      first[to_size(l)] = candidate.first;
-      second[to_size(l)] = candidate.second;
-      for (const KeptContact& k : kept[to_size(owner(candidate))])
-        if (k.partner == partner(candidate)) {
-          shear.x[l] = k.shear.x[0];
-          shear.y[l] = k.shear.y[0];
-          shear.z[l] = k.shear.z[0];
-        }
+      blocks.first.back()[to_size(l)] = candidate.first;
+      blocks.second.back()[to_size(l)] = candidate.second;
+      restore_history(history, owner(candidate), partner(candidate), blocks, l);
     }
-    blocks.first.push_back(first);
-    blocks.second.push_back(second);
-    blocks.shear.push_back(shear);
-    blocks.live.push_back(1);
   }
 }
 
-void list_grain_contacts(GrainSystem& s, double largest_radius, const std::vector<std::vector<KeptContact>>& kept) {
+void list_grain_contacts(GrainSystem& s, const ContactHistory& history) {
   const int spheres = s.owned + size_of(s.image_owner);
   std::vector<Lanes> place(to_size(spheres));
   for (int k = 0; k < spheres; ++k) place[to_size(k)] = s.record[to_size(k)].place;
-  const CellGrid grid = make_cell_grid(place, 2.0 * largest_radius + s.skin);
 
-  // Touching pairs stand together, so that blocks without a contact leave the kernel early.
+  // Touching pairs stand together, so that blocks without a contact leave the kernel early. A pair across a
+  // periodic face is listed by the grain of lower identity and the image of the other.
   std::vector<Candidate> touching, near;
   const int* identity = s.identity.data();
-  for (int a = 0; a < s.owned; ++a) {
-    const Lanes& at = place[to_size(a)];
-    for_each_near(grid, at, s.skin, [&](int b) {
-      const bool counts = b < s.owned ? b > a : identity[a] < identity[b];
-      if (!counts) return;
-      const Lanes d = at - place[to_size(b)];
-      const double reach = at[3] + place[to_size(b)][3];
-      const Candidate pair = identity[a] < identity[b] ? Candidate{a, b} : Candidate{b, a};
-      (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach ? touching : near).push_back(pair);
-    });
-  }
+  for_each_close_pair(make_sized_grids(place, s.skin), place, s.skin, [&](int a, int b) {
+    if (a >= s.owned && b >= s.owned) return;
+    const Candidate pair = identity[a] < identity[b] ? Candidate{a, b} : Candidate{b, a};
+    if (pair.first >= s.owned || identity[a] == identity[b]) return;
+    const Lanes d = place[to_size(a)] - place[to_size(b)];
+    const double reach = place[to_size(a)][3] + place[to_size(b)][3];
+    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach ? touching : near).push_back(pair);
+  });
   s.grain_contacts = {};
   const int dummy = spheres;
   const auto owner = [&](const Candidate& c) { return identity[c.first]; };
   const auto partner = [&](const Candidate& c) { return identity[c.second]; };
-  append(s.grain_contacts, touching, kept, dummy, dummy, owner, partner);
-  append(s.grain_contacts, near, kept, dummy, dummy, owner, partner);
+  append(s.grain_contacts, touching, history, resists_rolling(s.contact), dummy, dummy, owner, partner);
+  append(s.grain_contacts, near, history, resists_rolling(s.contact), dummy, dummy, owner, partner);
 }
 
-void list_wall_contacts(GrainSystem& s, const std::vector<std::vector<KeptContact>>& kept) {
+void list_wall_contacts(GrainSystem& s, const ContactHistory& history) {
   const int dummy = s.owned + size_of(s.image_owner);
   s.wall_contacts = {};
   s.wall_start.assign(1, 0);
   std::vector<int> record_of(to_size(s.owned));
   for (int k = 0; k < s.owned; ++k) record_of[to_size(s.identity[to_size(k)])] = k;
+  const auto owner = [&](const Candidate& c) { return s.identity[to_size(c.second)]; };
+  const auto partner = [](const Candidate& c) { return c.first; };
   for (int w = 0; w < size_of(s.walls); ++w) {
     const Wall& wall = s.walls[to_size(w)];
     std::vector<Candidate> near;
-    for (int id = 0; id < s.owned; ++id) {
-      const GrainRecord& r = s.record[to_size(record_of[to_size(id)])];
-      if (dot(vec3(r.place) - wall.point, wall.normal) < radius_of(r) + s.skin) near.push_back({w, record_of[to_size(id)]});
+    for (const int k : record_of) {
+      const GrainRecord& r = s.record[to_size(k)];
+      if (dot(vec3(r.place) - wall.point, wall.normal) < radius_of(r) + s.skin) near.push_back({w, k});
     }
-    append(
-        s.wall_contacts, near, kept, dummy, w, [&](const Candidate& c) { return s.identity[to_size(c.second)]; },
-        [](const Candidate& c) { return c.first; });
+    append(s.wall_contacts, near, history, resists_rolling(s.contact), dummy, w, owner, partner);
     s.wall_start.push_back(s.wall_contacts.size());
   }
 }
@@ -312,16 +279,18 @@ void update_images(GrainSystem& s) {
 
 void build_neighbour_list(GrainSystem& s) {
   const auto [smallest, largest] = radius_range(s);
-  const auto grain_history = contacts_in_force(s, s.grain_contacts, false);
-  const auto wall_history = contacts_in_force(s, s.wall_contacts, true);
+  const ContactHistory grain_history = keep_history(std::move(s.grain_contacts), s.identity, s.owned, false);
+  const ContactHistory wall_history = keep_history(std::move(s.wall_contacts), s.identity, s.owned, true);
   adapt_skin(s, smallest, largest);
   wrap(s);
   sort_records(s);
   make_images(s, largest);
-  list_grain_contacts(s, largest, grain_history);
+  list_grain_contacts(s, grain_history);
   list_wall_contacts(s, wall_history);
   make_rows(s);
-  s.slot.assign(to_size(lane_count * (s.grain_contacts.size() + s.wall_contacts.size())), ContactSlot{});
+  const std::size_t slots = to_size(lane_count * (s.grain_contacts.size() + s.wall_contacts.size()));
+  s.slot.assign(slots, ContactSlot{});
+  s.roll_slot.assign(resists_rolling(s.contact) ? slots : 0, RollSlot{});
   remember_places(s);
 }
 

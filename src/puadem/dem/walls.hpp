@@ -13,6 +13,7 @@ struct Wall {
   Vec3 point;                    ///< any point of the plane [m]
   Vec3 normal;                   ///< unit vector into the grains [-]
   Vec3 velocity;                 ///< [m/s]
+  Vec3 last_velocity;            ///< of the step before [m/s]
   int face = -1;                 ///< face of the box that it stands for; -1: a wall of its own
   double friction = 0.0;         ///< mu between this wall and grains [-]
   std::optional<double> target;  ///< servo: normal stress to hold [Pa]; none: the wall moves at `velocity`
