@@ -51,7 +51,7 @@ const Check& check_named(const std::vector<Check>& checks, const std::string& pa
 TEST(Checks, HoldForASoundRun) {
   const SyntheticRun run = make_synthetic_run(4);
   const std::vector<Check> checks = run_checks(run.c, run.state, &run.results);
-  EXPECT_EQ(checks.size(), 5U);
+  EXPECT_EQ(checks.size(), 8U);
   for (const Check& check : checks) EXPECT_TRUE(check.passed) << check.name << " " << check.value;
 }
 
@@ -62,6 +62,7 @@ TEST(Checks, SeeWhatIsWrong) {
   run.results.ledger.wetting_out *= 1.0 + 1e-9;
   run.c.expected["porosity_core"] = {0.35, 0.36};
   run.c.expected["no_such_result"] = {};
+  run.c.stages.clear();
   const std::vector<Check> checks = run_checks(run.c, run.state, &run.results);
   for (const char* name : {"box volume", "saturation of every pore", "wetting fluid", "porosity_core", "no_such_result"})
     EXPECT_FALSE(check_named(checks, name).passed) << name;
@@ -71,9 +72,21 @@ TEST(Checks, SeeWhatIsWrong) {
   EXPECT_FALSE(expected_bounds_hold(run.c, run.results));
 }
 
+TEST(Checks, HoldThePackingToWhatItsStageAskedFor) {
+  SyntheticRun run = make_synthetic_run(2);
+  run.c.expected.clear();
+  run.results.scalars = {
+      {"unbalanced_force", 1.1e-3}, {"stress_mean_Pa", 9890.0}, {"porosity_core", 0.3421}, {"grading_error", 0.011}};
+  for (const char* name : {"unbalanced_force", "stress_mean_Pa", "porosity_core", "grading_error"})
+    EXPECT_FALSE(check_named(run_checks(run.c, run.state, &run.results), name).passed) << name;
+  run.results.scalars = {
+      {"unbalanced_force", 0.9e-3}, {"stress_mean_Pa", 9910.0}, {"porosity_core", 0.3419}, {"grading_error", 0.009}};
+  for (const Check& check : run_checks(run.c, run.state, &run.results)) EXPECT_TRUE(check.passed) << check.name;
+}
+
 TEST(Checks, BoundsIncludeTheirEndsAndMayBeOpen) {
   SyntheticRun run = make_synthetic_run(2);
-  run.c.expected = {{"porosity_core", {0.3402, 0.3402}}, {"mean_stress_Pa", {0.0, std::numeric_limits<double>::infinity()}}};
+  run.c.expected = {{"porosity_core", {0.3402, 0.3402}}, {"stress_mean_Pa", {0.0, std::numeric_limits<double>::infinity()}}};
   EXPECT_TRUE(expected_bounds_hold(run.c, run.results));
   run.c.expected["porosity_core"].low = 0.34021;
   EXPECT_FALSE(expected_bounds_hold(run.c, run.results));

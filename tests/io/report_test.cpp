@@ -126,7 +126,8 @@ TEST(Report, LaysOtherRunsOverAndTellsOfThoseItCannotRead) {
 
 TEST(Report, SummarisesTheCaseInUnitsOfAPerson) {
   const std::string summary = case_json(make_synthetic_run(2).c).dump();
-  for (const char* part : {"72.8 mN/m", "10 kPa", "0.34 in the core", "mayer-stowe-princen", "400 Pa → 1.3 kPa → 0 Pa", "30 deg"})
+  for (const char* part :
+       {"72.8 mN/m", "10 kPa", "0.34 in the core", "mayer-stowe-princen", "400 Pa → 1.3 kPa → 0 Pa", "30°", "both fluids"})
     EXPECT_THAT(summary, HasSubstr(part));
 }
 

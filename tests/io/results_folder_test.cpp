@@ -81,7 +81,7 @@ TEST_F(ResultsFolderTest, HoldsEveryFileOfARun) {
               ::testing::ElementsAre("case.resolved.toml", "case.toml", "fields", "fields/grains.pvd", "fields/grains_00000.vtp",
                                      "fields/pores.pvd", "fields/pores_00000.vtp", "fields/pores_00001.vtp", "fields/throats.pvd",
                                      "fields/throats_00000.vtp", "fields/throats_00001.vtp", "log.txt", "manifest.json",
-                                     "progress.jsonl", "report.html", "series", "series/compaction.csv",
+                                     "packing.csv", "progress.jsonl", "report.html", "series", "series/compaction.csv",
                                      "series/distributions.csv", "series/events.csv", "series/retention.csv"));
   EXPECT_EQ(slurp(folder / "case.toml"), "title = 'x'\n");
   EXPECT_EQ(slurp(folder / "case.resolved.toml"), "resolved\n");

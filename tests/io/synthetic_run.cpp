@@ -78,7 +78,7 @@ void add_branch(State& state, const std::string& name, double from, double to, c
 }
 
 void add_results(SyntheticRun& run, bool retention) {
-  run.results.scalars = {{"porosity_core", 0.3402}, {"mean_stress_Pa", 10023.0}, {"unbalanced_force", 4.1e-4}};
+  run.results.scalars = {{"porosity_core", 0.3402}, {"stress_mean_Pa", 10023.0}, {"unbalanced_force", 4.1e-4}};
   if (!retention) return;
   double void_volume = 0.0;
   for (const double v : run.state.network.pore_volume) void_volume += v;

@@ -10,13 +10,14 @@ window.addEventListener("error", (event) => { root.dataset.error = event.message
 
 function header() {
   const failed = manifest.checks.filter((check) => !check.passed).length;
-  const pill = manifest.exit_code !== 0 ? element("span", { class: "pill bad" }, "stopped early")
+  const pill = manifest.exit_code === 3 ? element("span", { class: "pill bad" }, "interrupted")
     : failed > 0 ? element("span", { class: "pill bad" }, `${failed} of ${manifest.checks.length} checks failed`)
+    : manifest.exit_code !== 0 ? element("span", { class: "pill bad" }, "ended with an error")
     : element("span", { class: "pill good" }, manifest.checks.length > 0 ? `all ${manifest.checks.length} checks passed` : "finished");
   const facts = [manifest.started_utc.replace("T", " ").replace("Z", " UTC"), `seed ${manifest.seed}`, `${number(manifest.wall_time_s, 3)} s`, `puadem ${manifest.version}`];
   return element("header", {}, element("div", { class: "kicker" }, "Simulation report"), element("h1", {}, data.title),
     element("div", { class: "meta" }, pill, facts.flatMap((fact) => [element("span", { class: "sep" }, "·"), fact])),
-    manifest.error ? element("div", { class: "banner bad" }, element("b", {}, "The run stopped: "), manifest.error) : null,
+    manifest.error ? element("div", { class: "banner bad" }, element("b", {}, `Ended with exit code ${manifest.exit_code}: `), manifest.error) : null,
     manifest.warnings.length === 0 ? null : element("div", { class: "banner" }, element("b", {}, manifest.warnings.length === 1 ? "Warning" : "Warnings"),
       element("ul", {}, manifest.warnings.map((warning) => element("li", {}, warning)))),
     data.highlights.length === 0 ? null : element("dl", { class: "highlights" }, data.highlights.map((h) => element("div", {}, element("dt", {}, label(h.label)),
@@ -34,7 +35,10 @@ function checksTable() {
 function ledgerTable() {
   const ledger = manifest.ledger;
   if (!(ledger.void_volume_m3 > 0)) return null;
-  const row = (name, key) => [name, ...["start", "in", "out", "end"].map((part) => number(ledger[`${key}_${part}_m3`] * 1e9, 6)), number(ledger[`${key}_error`], 2)];
+  // As many decimals for all as the void needs: rounding dust reads as zero.
+  const decimals = Math.max(0, 5 - Math.floor(Math.log10(ledger.void_volume_m3 * 1e9)));
+  const volume = (cubic_metres) => (cubic_metres * 1e9).toFixed(decimals).replace(/^-(?=[0.]+$)/, "").replace("-", "−");
+  const row = (name, key) => [name, ...["start", "in", "out", "end"].map((part) => volume(ledger[`${key}_${part}_m3`])), number(ledger[`${key}_error`], 2)];
   return table("Volume ledger of the counted pores (mm³)", [{ head: "Fluid" }, { head: "start", number: true }, { head: "in", number: true },
     { head: "out", number: true }, { head: "end", number: true }, { head: "error / void", number: true }], [row("Wetting", "wetting"), row("Non-wetting", "nonwetting")], "wide");
 }

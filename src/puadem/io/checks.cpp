@@ -10,6 +10,9 @@ namespace puadem {
 namespace {
 
 constexpr double volume_tolerance = 1e-12;  // of the box or the void: rounding of a sum, no more
+constexpr double stress_tolerance = 0.01;   // of the target stress
+constexpr double porosity_tolerance = 0.002;
+constexpr double grading_tolerance = 0.01;  // largest error of the share of a class
 
 /// Neumaier sum: the terms are many and the tolerance is close to rounding.
 class Sum {
@@ -50,6 +53,25 @@ void add_expected(std::vector<Check>& checks, const Case& c, const RunResults& r
   }
 }
 
+/// What the last compaction was asked for, against what the results say of it.
+void add_packing(std::vector<Check>& checks, const Case& c, const RunResults& results) {
+  const CompactStage* stage = nullptr;
+  for (const Stage& s : c.stages)
+    if (const auto* compact = std::get_if<CompactStage>(&s)) stage = compact;
+  if (!stage) return;
+  const auto near = [&](const char* name, double target, double tolerance, const std::string& bound) {
+    const auto found = results.scalars.find(name);
+    if (found != results.scalars.end())
+      checks.push_back({name, bound, found->second, std::abs(found->second - target) <= tolerance});
+  };
+  near("unbalanced_force", 0.0, stage->unbalanced, fmt::format("at most {:g}", stage->unbalanced));
+  near("stress_mean_Pa", stage->stress, stress_tolerance * stage->stress, fmt::format("{:g} ± 1 %", stage->stress));
+  near("grading_error", 0.0, grading_tolerance, fmt::format("at most {:g}", grading_tolerance));
+  if (stage->porosity)
+    near(stage->porosity_region == CompactStage::Region::core ? "porosity_core" : "porosity_box", *stage->porosity,
+         porosity_tolerance, fmt::format("{:g} ± {:g}", *stage->porosity, porosity_tolerance));
+}
+
 }  // namespace
 
 bool expected_bounds_hold(const Case& c, const RunResults& results) {
@@ -75,6 +97,7 @@ std::vector<Check> run_checks(const Case& c, const State& state, const RunResult
     within("wetting fluid: in − out = change (of the void)", results->ledger.wetting_error(), volume_tolerance);
     within("non-wetting fluid: in − out = change (of the void)", results->ledger.nonwetting_error(), volume_tolerance);
   }
+  add_packing(checks, c, *results);
   add_expected(checks, c, *results);
   return checks;
 }

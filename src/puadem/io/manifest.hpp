@@ -17,7 +17,7 @@ struct Check {
 };
 
 /// Bounds of `[expected]`, volume ledger, saturations in [0, 1], pores and grains filling the box, and
-/// the state of rest, each where the run has the numbers.
+/// what the compaction was asked for (rest, stress, porosity, grading), each where the run has the numbers.
 std::vector<Check> run_checks(const Case& c, const State& state, const RunResults* results);
 
 /// Everything that says where results came from: program, machine, case, state, ledger, scalars, checks.

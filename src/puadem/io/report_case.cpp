@@ -1,20 +1,26 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "puadem/io/report_data.hpp"
-#include "puadem/io/units.hpp"
 
 namespace puadem {
 namespace {
 
 using nlohmann::json;
 
+std::string trapping(const InvasionOptions& o) {
+  if (o.trap_wetting && o.trap_nonwetting) return "both fluids";
+  return o.trap_wetting ? "the wetting fluid" : o.trap_nonwetting ? "the non-wetting fluid" : "none";
+}
+
 std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
 std::string class_text(const GradingClass& g, Grading::By by) {
   const std::string share = fmt::format("{:.4g} % {}", 100.0 * g.fraction, by == Grading::By::mass ? "by mass" : "by number");
-  if (g.diameter_min == g.diameter_max) return fmt::format("{}: {}", show(g.diameter_min, "m"), share);
-  return fmt::format("{} to {}: {}", show(g.diameter_min, "m"), show(g.diameter_max, "m"), share);
+  if (g.diameter_min == g.diameter_max) return fmt::format("{}: {}", in_print(g.diameter_min, "m"), share);
+  return fmt::format("{} to {}: {}", in_print(g.diameter_min, "m"), in_print(g.diameter_max, "m"), share);
 }
 
 json grain_rows(const Case& c) {
@@ -29,24 +35,24 @@ json grain_rows(const Case& c) {
     if (m.name != c.grains.material) continue;
     rows.push_back({"Material", m.name});
     rows.push_back({"Density", fmt::format("{:.4g} kg/m³", m.density)});
-    rows.push_back({"Young's modulus", show(m.youngs_modulus, "Pa")});
+    rows.push_back({"Young's modulus", in_print(m.youngs_modulus, "Pa")});
     rows.push_back({"Poisson's ratio", fmt::format("{:.4g}", m.poisson_ratio)});
-    rows.push_back({"Friction angle", show(m.friction_angle, "rad")});
+    rows.push_back({"Friction angle", in_print(m.friction_angle, "rad")});
   }
   rows.push_back({"Contact law", c.contact.law == ContactOptions::Law::hertz_mindlin ? "Hertz–Mindlin" : "linear springs"});
   return rows;
 }
 
 json fluid_rows(const Case& c) {
-  json rows = json::array(
-      {{"Surface tension γ", show(c.fluids.surface_tension, "N/m")}, {"Contact angle θ", show(c.fluids.contact_angle, "rad")}});
+  json rows = json::array({{"Surface tension γ", in_print(c.fluids.surface_tension, "N/m")},
+                           {"Contact angle θ", in_print(c.fluids.contact_angle, "rad")}});
   rows.push_back({"Entry pressure law", std::visit([](const auto& law) { return std::string(law.name); }, c.pores.entry_law)});
   rows.push_back({"Merge ratio", std::isfinite(c.pores.merge_ratio) ? fmt::format("{:.4g}", c.pores.merge_ratio) : "no merging"});
   return rows;
 }
 
 json stage_rows(const CompactStage& s) {
-  json rows = json::array({{"Stress", show(s.stress, "Pa")}});
+  json rows = json::array({{"Stress", in_print(s.stress, "Pa")}});
   if (s.porosity)
     rows.push_back({"Porosity", fmt::format("{:.4g} in the {}", *s.porosity,
                                             s.porosity_region == CompactStage::Region::core ? "core" : "whole box")});
@@ -57,17 +63,22 @@ json stage_rows(const CompactStage& s) {
 
 json stage_rows(const RetentionStage& s) {
   std::string path;
-  for (const double p : s.path) path += fmt::format("{}{}", path.empty() ? "" : " → ", show(p, "Pa"));
+  for (const double p : s.path) path += fmt::format("{}{}", path.empty() ? "" : " → ", in_print(p, "Pa"));
   const InvasionOptions& o = s.invasion;
-  return json::array({{"Path of p_c", path},
-                      {"Output step", show(s.step, "Pa")},
-                      {"Non-wetting fluid enters at", std::string(face_names[to_size(o.nonwetting_face)])},
-                      {"Wetting fluid leaves at", std::string(face_names[to_size(o.wetting_face)])},
-                      {"Snap-off", yes_no(o.snap_off)},
-                      {"Trapping (wetting, non-wetting)", yes_no(o.trap_wetting) + ", " + yes_no(o.trap_nonwetting)},
-                      {"Corner films connect", yes_no(o.corner_films)},
-                      {"Corner water stays", yes_no(o.corner_water)},
-                      {"Invasion along walls", yes_no(o.wall_throats)}});
+  json rows = json::array({{"Path of p_c", path},
+                           {"Output step", in_print(s.step, "Pa")},
+                           {"Non-wetting fluid enters at", std::string(face_names[to_size(o.nonwetting_face)])},
+                           {"Wetting fluid leaves at", std::string(face_names[to_size(o.wetting_face)])},
+                           {"Snap-off", yes_no(o.snap_off)},
+                           {"Trapping", trapping(o)},
+                           {"Corner films connect", yes_no(o.corner_films)},
+                           {"Corner water stays", yes_no(o.corner_water)},
+                           {"Invasion along walls", yes_no(o.wall_throats)}});
+  // Conventions of other codes are named where they are in force.
+  if (!o.body_entry) rows.push_back({"Bodies resist entry", yes_no(false)});
+  if (!o.side_pores) rows.push_back({"Pores at side walls count", yes_no(false)});
+  if (o.trap_check == TrapCheck::step) rows.push_back({"Trapping is looked at", "once per step"});
+  return rows;
 }
 
 }  // namespace

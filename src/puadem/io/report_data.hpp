@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "puadem/coupling/run.hpp"
@@ -10,6 +11,9 @@
 #include "puadem/io/results_folder.hpp"
 
 namespace puadem {
+
+/// `show` of io/units with the signs of print: "74.24 µm", "30°".
+std::string in_print(double value, std::string_view unit, int digits = 4);
 
 /// One run's curves as the page draws them: branches with their van Genuchten fits, loops with their
 /// areas, radius distributions.

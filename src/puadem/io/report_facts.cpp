@@ -29,7 +29,7 @@ std::string scalar_text(const std::string& name, double value) {
   constexpr std::array<std::array<const char*, 2>, 5> units{
       {{"_Pa", "Pa"}, {"_m3", "m3"}, {"_m", "m"}, {"_s", "s"}, {"_N", "N"}}};
   for (const auto& [suffix, unit] : units)
-    if (name.ends_with(suffix)) return show(value, unit);
+    if (name.ends_with(suffix)) return in_print(value, unit);
   return value == std::floor(value) && std::abs(value) < 1e9 ? count(static_cast<long>(value)) : fmt::format("{:.5g}", value);
 }
 
@@ -46,7 +46,12 @@ double grain_volume(const Particles& p) {
   return volume;
 }
 
-std::string lengths(const Vec3& v) { return fmt::format("{} × {} × {}", show(v.x, "m"), show(v.y, "m"), show(v.z, "m")); }
+/// "12 × 12 × 24 mm": one unit for the three.
+std::string lengths(const Vec3& v) {
+  const double largest = std::max({v.x, v.y, v.z});
+  const auto [scale, unit] = largest < 1e-3 ? std::pair{1e6, "µm"} : largest < 1.0 ? std::pair{1e3, "mm"} : std::pair{1.0, "m"};
+  return fmt::format("{:.4g} × {:.4g} × {:.4g} {}", v.x * scale, v.y * scale, v.z * scale, unit);
+}
 
 json packing_rows(const State& state) {
   const Particles& p = state.particles;
@@ -54,12 +59,13 @@ json packing_rows(const State& state) {
   std::string periodic;
   for (int axis = 0; axis < 3; ++axis)
     if (state.domain.periodic[to_size(axis)]) periodic += fmt::format("{}{}", periodic.empty() ? "" : ", ", "xyz"[axis]);
-  json rows = json::array({{"Grains", count(p.size())},
-                           {"Box", lengths(state.domain.size())},
-                           {"Periodic directions", periodic.empty() ? "none (six walls)" : periodic},
-                           {"Grain diameters", fmt::format("{} to {}", show(2 * smallest, "m", 3), show(2 * largest, "m", 3))},
-                           {"Mean grain radius ⟨r⟩, by number", show(mean_radius(p), "m")},
-                           {"Porosity of the whole box", number(1.0 - grain_volume(p) / state.domain.volume())}});
+  json rows =
+      json::array({{"Grains", count(p.size())},
+                   {"Box", lengths(state.domain.size())},
+                   {"Periodic directions", periodic.empty() ? "none (six walls)" : periodic},
+                   {"Grain diameters", fmt::format("{} to {}", in_print(2 * smallest, "m", 3), in_print(2 * largest, "m", 3))},
+                   {"Mean grain radius ⟨r⟩, by number", in_print(mean_radius(p), "m")},
+                   {"Porosity of the whole box", number(1.0 - grain_volume(p) / state.domain.volume())}});
   return rows;
 }
 
@@ -82,8 +88,8 @@ json network_rows(const State& state) {
     rows.push_back({"Tetrahedra", fmt::format("{}, {:.2f} per pore unit", count(n.triangulation.cells()),
                                               static_cast<double>(n.triangulation.cells()) / n.pores())});
   rows.push_back({"Throats per pore unit", fmt::format("{:.2f}", 2.0 * n.throats() / n.pores())});
-  rows.push_back({"Median pore radius R_i", show(median(n.pore_radius), "m")});
-  rows.push_back({"Median throat radius R_ij", show(median(n.throat_radius), "m")});
+  rows.push_back({"Median pore radius R_i", in_print(median(n.pore_radius), "m")});
+  rows.push_back({"Median throat radius R_ij", in_print(median(n.throat_radius), "m")});
   const auto at_wall = std::ranges::count(n.throat_at_wall, std::uint8_t{1});
   if (!n.throat_at_wall.empty() && n.throats() > 0)
     rows.push_back({"Throats along walls", percent(static_cast<double>(at_wall) / n.throats())});
@@ -102,6 +108,16 @@ json facts_json(const State& state) {
   if (state.particles.size() > 0) facts.push_back({{"title", "Packing"}, {"rows", packing_rows(state)}});
   if (state.network.pores() > 0) facts.push_back({{"title", "Pore network"}, {"rows", network_rows(state)}});
   return facts;
+}
+
+std::string in_print(double value, std::string_view unit, int digits) {
+  std::string text = show(value, unit, digits);
+  const auto replace_end = [&](std::string_view from, std::string_view to) {
+    if (text.ends_with(from)) text.replace(text.size() - from.size(), from.size(), to);
+  };
+  replace_end(" um", " µm");
+  replace_end(" deg", "°");
+  return text;
 }
 
 json scalars_json(const RunResults* results) {
@@ -127,7 +143,8 @@ json highlights_json(const State& state, const RunResults* results) {
   std::ranges::copy_if(state.retention, std::back_inserter(drainage), [](const auto& r) { return r.branch == "drainage-1"; });
   if (const auto half = capillary_pressure_at(drainage, 0.5)) {
     const double star = drainage.back().pc_star / drainage.back().capillary_pressure * *half;
-    top.push_back(highlight("p_c at S = 0.5, drainage", show(*half, "Pa"), fmt::format("p_c⟨r⟩/γ = {:.2f}", star)));
+    top.push_back(
+        highlight("p_c at S = 0.5, drainage", count(std::lround(*half)) + " Pa", fmt::format("p_c⟨r⟩/γ = {:.2f}", star)));
   }
   const auto last = std::find_if(state.retention.rbegin(), state.retention.rend(),
                                  [](const auto& row) { return row.branch == "imbibition-1"; });

@@ -84,7 +84,7 @@ void restore_latest(const ResultsFolder& folder) {
 /// Takes away everything that this run made.
 void remove_all_of(const ResultsFolder& folder) {
   std::error_code ignored;
-  for (const char* name : {"series", "fields", "case.toml", "case.resolved.toml", "log.txt", "progress.jsonl"})
+  for (const char* name : {"series", "fields", "packing.csv", "case.toml", "case.resolved.toml", "log.txt", "progress.jsonl"})
     fs::remove_all(folder.path / name, ignored);
   if (folder.linked) restore_latest(folder);
   if (folder.created_from.filename() == ".") return;  // the folder itself was there before
@@ -139,7 +139,7 @@ void finish_results(ResultsFolder& folder, const Case& c, const State& state, co
     return;
   }
   try {
-    if (failed && folder.log.is_open()) folder.log.append(fmt::format("stopped: {}\n", error_message));
+    folder.log.append(failed ? fmt::format("stopped: {}\n", error_message) : "finished\n");
     write_summary(folder, c, state, results, exit_code, error_message);
   } catch (const InputError&) {
     if (error_message.empty()) throw;  // else the first error is the one to tell
