@@ -46,9 +46,8 @@ void describe_curves(const std::vector<RetentionRow>& rows, RunResults& results)
     const std::string& name = rows[first].branch;
     if (const auto half = capillary_pressure_at(branch, 0.5)) {
       s["pc_half_" + name + "_Pa"] = *half;
-      s["pc_star_half_" + name] = branch.front().capillary_pressure > 0.0 || branch.back().capillary_pressure > 0.0
-                                      ? *half * branch.back().pc_star / branch.back().capillary_pressure
-                                      : 0.0;
+      const auto& scale = branch.front().capillary_pressure > 0.0 ? branch.front() : branch.back();
+      s["pc_star_half_" + name] = *half * scale.pc_star / scale.capillary_pressure;
     }
     s["saturation_end_" + name] = branch.back().saturation;
     s["trapped_wetting_end_" + name] = branch.back().trapped_wetting;

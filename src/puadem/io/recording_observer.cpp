@@ -45,7 +45,9 @@ void record_progress(ResultsFolder& folder, const Progress& p) {
                                     {"time_s", p.time},
                                     {"saturation", p.saturation},
                                     {"pc_Pa", p.capillary_pressure},
-                                    {"unbalanced", p.unbalanced}};
+                                    {"unbalanced", p.unbalanced},
+                                    {"stress_Pa", p.stress},
+                                    {"porosity", p.porosity}};
   folder.progress.append(line.dump() + "\n");
   folder.progress.flush();
 }

@@ -14,7 +14,7 @@ namespace puadem {
 /// same bits.
 inline constexpr std::string_view retention_header = "step,branch,pc_Pa,pc_star,saturation,trapped_wetting,trapped_nonwetting\n";
 inline constexpr std::string_view events_header = "event,kind,pc_Pa,pore,throat,units,wetting_volume_m3\n";
-inline constexpr std::string_view compaction_header = "step,time_s,unbalanced\n";
+inline constexpr std::string_view compaction_header = "step,porosity,stress_Pa,unbalanced\n";
 inline constexpr std::string_view distributions_header = "kind,bin_low,bin_high,pdf\n";
 
 std::string retention_line(const RetentionRow& row);
