@@ -164,7 +164,7 @@ TEST(InkBottle, WithoutCornerWaterRefillsThroughTheTighterOfThroatAndBody) {
 // In a bare chain each invasion takes the last way of the water behind the front.
 TEST(TrappedWater, KeepsTheVolumeItHad) {
   const PoreNetwork network = chain({1.0, 3.0, 1e6});
-  InvasionState state = start_invasion(network, unit_fluids(), {});
+  InvasionState state = start_invasion(network, unit_fluids(), with_snap_off());
   Log log;
   advance_to(network, 8.0, state, log.callback());
   EXPECT_EQ(log.only(Kind::trap_wetting).capillary_pressure, 3.0);
@@ -202,7 +202,7 @@ TEST(TrappedWater, OfAPoreNeverInvadedStays) {
 TEST(TrappedGas, IsCutOffBySnapOffAndFreedBySecondaryDrainage) {
   PoreNetwork network = drained_chain({1.0, 4.0, 1e6});  // the second throat snaps off at 2
   network.throat_snap_off_radius[0] = 100.0;
-  InvasionState state = start_invasion(network, unit_fluids(), {});
+  InvasionState state = start_invasion(network, unit_fluids(), with_snap_off());
   Log log;
   advance_to(network, 5.0, state, log.callback());
   advance_to(network, 0.0, state, log.callback());

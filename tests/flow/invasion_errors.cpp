@@ -52,6 +52,18 @@ TEST(StartInvasion, SaysWhatIsWrongWithTheReservoirs) {
   EXPECT_THAT(start_error(PoreNetwork{}), HasSubstr("no pore touches the top face"));
 }
 
+TEST(StartInvasion, SaysWhichOptionsExcludeOneAnother) {
+  InvasionOptions options;
+  options.body_entry = false;
+  EXPECT_THAT(start_error(chain({1.0, 2.0}), unit_fluids(), options), HasSubstr("body_entry = false needs corner_water = false"));
+  options.corner_water = false;
+  EXPECT_EQ(start_error(chain({1.0, 2.0}), unit_fluids(), options), "nothing thrown");
+  options.side_pores = false;
+  PoreNetwork narrow = chain({1.0, 2.0});
+  narrow.pore_walls[1] = 1;
+  EXPECT_THAT(start_error(narrow, unit_fluids(), options), HasSubstr("every pore touches a wall: the packing is too thin"));
+}
+
 TEST(StartInvasion, SaysWhatIsWrongWithTheFluids) {
   Fluids fluids = unit_fluids();
   fluids.surface_tension = -0.07;
@@ -65,7 +77,7 @@ TEST(StartInvasion, SaysWhatIsWrongWithTheNetwork) {
   const auto with = [](const auto& change) {
     PoreNetwork network = chain({1.0, 2.0});
     change(network);
-    return start_error(network);
+    return start_error(network, unit_fluids(), with_snap_off());
   };
   EXPECT_THAT(with([](auto& n) { n.pore_volume[1] = 0.0; }), HasSubstr("pore 1 has the volume 0 m3"));
   EXPECT_THAT(with([](auto& n) { n.pore_radius[1] = std::numeric_limits<double>::quiet_NaN(); }),

@@ -8,7 +8,7 @@ namespace puadem::testing {
 namespace {
 
 std::vector<double> curve(const PoreNetwork& network, const Fluids& fluids, const std::vector<double>& pressures,
-                          const InvasionOptions& options = {}) {
+                          const InvasionOptions& options = with_snap_off()) {
   InvasionState state = start_invasion(network, fluids, options);
   std::vector<double> result;
   for (const double p : pressures) {
@@ -22,7 +22,7 @@ TEST(Invasion, DoesNotDependOnTheStep) {
   const PoreNetwork network = random_network(400, 3);
   const double high = high_pressure(network, unit_fluids());
   const auto reach = [&](int parts) {  // stops 40 * parts on each leg; common stops returned
-    InvasionState state = start_invasion(network, unit_fluids(), {});
+    InvasionState state = start_invasion(network, unit_fluids(), with_snap_off());
     std::vector<std::vector<double>> common;
     for (const auto& [from, to] : {std::pair(0, 40), std::pair(40, 0), std::pair(0, 25), std::pair(25, 10), std::pair(10, 40)})
       for (int k = 1; k <= std::abs(to - from) * parts; ++k) {
@@ -44,7 +44,8 @@ TEST(Invasion, DoesNotDependOnTheNumbering) {
     std::vector<int> pore_to;
     const PoreNetwork other = renumbered(network, seed, pore_to);
     const double high = high_pressure(network, unit_fluids());
-    InvasionState a = start_invasion(network, unit_fluids(), {}), b = start_invasion(other, unit_fluids(), {});
+    InvasionState a = start_invasion(network, unit_fluids(), with_snap_off()),
+                  b = start_invasion(other, unit_fluids(), with_snap_off());
     for (const double fraction : {0.1, 0.2, 0.5, 0.9, 0.3, 0.1, 0.0, 0.4, 1.0}) {
       advance_to(network, fraction * high, a);
       advance_to(other, fraction * high, b);
@@ -74,7 +75,7 @@ TEST(Invasion, DoesNotDependOnTheUnits) {
 TEST(ScanningLoop, ClosesWithoutTrapping) {
   const PoreNetwork network = random_network(400, 5);
   const double high = high_pressure(network, unit_fluids());
-  InvasionOptions options;
+  InvasionOptions options = with_snap_off();
   options.trap_wetting = options.trap_nonwetting = false;
   const auto s = curve(network, unit_fluids(), {0.6 * high, 0.1 * high, 0.6 * high, 0.1 * high, 0.6 * high}, options);
   EXPECT_LT(s[0], s[1]);
@@ -86,7 +87,7 @@ TEST(ScanningLoop, ClosesWithoutTrapping) {
 TEST(Invasion, ImbibitionLiesBelowDrainage) {
   const PoreNetwork network = random_network(600, 6);
   const double high = high_pressure(network, unit_fluids());
-  InvasionState state = start_invasion(network, unit_fluids(), {});
+  InvasionState state = start_invasion(network, unit_fluids(), with_snap_off());
   std::vector<double> drainage, imbibition;
   for (int k = 0; k <= 20; ++k) {
     advance_to(network, high * k / 20.0, state);
@@ -119,7 +120,7 @@ TEST(Invasion, BooksEachEvent) {
 
 TEST(Invasion, DoesNothingWhereItStands) {
   const PoreNetwork network = random_network(100, 2);
-  InvasionState state = start_invasion(network, unit_fluids(), {});
+  InvasionState state = start_invasion(network, unit_fluids(), with_snap_off());
   int events = 0;
   const auto count = [&](const InvasionEvent&) { ++events; };
   advance_to(network, 0.0, state, count);

@@ -53,7 +53,14 @@ struct ReferenceInvasion {
     return network.throat_pores[to_size(t)][0] != network.throat_pores[to_size(t)][1] &&
            network.throat_entry_radius[to_size(t)] > 0.0;
   }
-  bool may_open(int t) const { return is_throat(t) && (options.wall_throats || !network.throat_at_wall[to_size(t)]); }
+  bool may_open(int t) const {
+    const auto [i, j] = network.throat_pores[to_size(t)];
+    if (!options.side_pores && network.pore_walls[to_size(i)] != 0 && network.pore_walls[to_size(j)] != 0) return false;
+    return is_throat(t) && (options.wall_throats || !network.throat_at_wall[to_size(t)]);
+  }
+  bool is_counted(int i) const {
+    return !is_top(i) && !is_bottom(i) && (options.side_pores || network.pore_walls[to_size(i)] == 0);
+  }
 
   // Spreads marks over throats until nothing changes.
   template <class Holds, class Passes>
@@ -111,7 +118,8 @@ struct ReferenceInvasion {
       } else
         for (const auto& [from, into] : {std::pair(a, b), std::pair(b, a)})
           if (gas_connected[to_size(from)] && !gas[to_size(into)] && water_connected[to_size(into)] && !is_bottom(into))
-            move = Move{std::max(entry(t), body(into)), 0, entry(t), t, InvasionEventKind::drain, into};
+            move = Move{
+                options.body_entry ? std::max(entry(t), body(into)) : entry(t), 0, entry(t), t, InvasionEventKind::drain, into};
       if (move && (!best || std::tuple(move->threshold, move->entry) < std::tuple(best->threshold, best->entry))) best = move;
     }
     return best;
@@ -129,13 +137,15 @@ struct ReferenceInvasion {
         if (water_connected[to_size(i)]) offer({body(i), 0, 0.0, i, InvasionEventKind::fill});
         continue;
       }
-      double front = 0.0;
+      double front = 0.0, lowest = body(i);
       for (int t = 0; t < network.throats(); ++t) {
         const auto [a, b] = network.throat_pores[to_size(t)];
         if (is_throat(t) && !open[to_size(t)] && (a == i || b == i) && water_connected[to_size(a == i ? b : a)])
           front = std::max(front, entry(t));
+        if (!options.body_entry && may_open(t) && (a == i || b == i) && gas[to_size(a == i ? b : a)])
+          lowest = std::min(lowest, entry(t));
       }
-      if (front > 0.0) offer({std::min(body(i), front), 0, 0.0, i, InvasionEventKind::fill});
+      if (front > 0.0) offer({std::min(lowest, front), 0, 0.0, i, InvasionEventKind::fill});
     }
     if (options.snap_off)
       for (int t = 0; t < network.throats(); ++t) {

@@ -38,6 +38,13 @@ inline Fluids unit_fluids() {
   return fluids;
 }
 
+/// All kinds of events.
+inline InvasionOptions with_snap_off() {
+  InvasionOptions options;
+  options.snap_off = true;
+  return options;
+}
+
 /// Pores in a row from the top reservoir (first) to the bottom one (last). Throat k joins pores k and
 /// k + 1, opens at entry[k] and snaps off at half of that (surface tension 1).
 inline PoreNetwork chain(const std::vector<double>& entry, double volume = 1e3) {
@@ -58,7 +65,10 @@ inline PoreNetwork random_network(int pores, std::uint64_t seed, int neighbours 
   for (int i = 0; i < pores; ++i) {
     const Vec3 centre{random.uniform(), random.uniform(), random.uniform()};
     const int faces = 4 + 2 * static_cast<int>(random.below(6));
-    const std::uint8_t walls = centre.z > 1.0 - 0.5 * scale ? at_top : centre.z < 0.5 * scale ? at_bottom : std::uint8_t{0};
+    std::uint8_t walls = centre.z > 1.0 - 0.5 * scale ? at_top : centre.z < 0.5 * scale ? at_bottom : std::uint8_t{0};
+    const std::array<double, 4> from_sides{centre.x, 1.0 - centre.x, centre.y, 1.0 - centre.y};
+    for (int face = 0; face < 4; ++face)
+      if (from_sides[to_size(face)] < 0.3 * scale) walls = static_cast<std::uint8_t>(walls | (1 << face));
     add_pore(network, random.uniform(0.2, 1.0) / pores, faces, walls, centre);
   }
   const auto add = [&](int i, int j) {

@@ -64,12 +64,15 @@ air = "y+"
 water = "front"
 path = ["400 Pa", "1.3 kPa", 0]
 step = "50 Pa"
-snap_off = false
+snap_off = true
 trap_wetting = false
 trap_nonwetting = false
 corner_films = true
 corner_water = false
 wall_throats = false
+body_entry = false
+side_pores = false
+trap_check = "step"
 retention_law = "polyhedron"
 [output]
 fields = false
@@ -118,10 +121,12 @@ bool same(const CompactStage& a, const CompactStage& b) {
          damping == b.damping;
 }
 bool same(const InvasionOptions& a, const InvasionOptions& b) {
-  const auto& [air, water, snap_off, trap_wetting, trap_nonwetting, films, corner_water, wall_throats, law] = a;
+  const auto& [air, water, snap_off, trap_wetting, trap_nonwetting, films, corner_water, wall_throats, body_entry, side_pores,
+               trap_check, law] = a;
   return air == b.nonwetting_face && water == b.wetting_face && snap_off == b.snap_off && trap_wetting == b.trap_wetting &&
          trap_nonwetting == b.trap_nonwetting && films == b.corner_films && corner_water == b.corner_water &&
-         wall_throats == b.wall_throats && law.index() == b.retention_law.index();
+         wall_throats == b.wall_throats && body_entry == b.body_entry && side_pores == b.side_pores &&
+         trap_check == b.trap_check && law.index() == b.retention_law.index();
 }
 bool same(const RetentionStage& a, const RetentionStage& b) {
   const auto& [path, step, invasion] = a;
@@ -194,7 +199,8 @@ TEST(CaseFile, FillsEveryField) {
   const auto& retention = std::get<RetentionStage>(c.stages[1]);
   EXPECT_THAT(retention.path, ElementsAre(400, 1300, 0));
   EXPECT_EQ(retention.step, 50);
-  EXPECT_TRUE(same(retention.invasion, {3, 2, false, false, false, true, false, false, PolyhedronRetention{}}));
+  EXPECT_TRUE(same(retention.invasion,
+                   {3, 2, true, false, false, true, false, false, false, false, TrapCheck::step, PolyhedronRetention{}}));
   EXPECT_FALSE(c.output.fields);
   EXPECT_EQ(c.output.fields_every, 4);
   ASSERT_EQ(c.overlays.size(), 1U);

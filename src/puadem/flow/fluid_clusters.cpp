@@ -36,6 +36,20 @@ void connect_all(const PoreLinks& links, FluidClusters& clusters) {
     if (clusters.reservoir[to_size(pore)] && !clusters.connected[to_size(pore)]) reconnect(links, pore, clusters);
 }
 
+Csr cut_off_anywhere(const PoreLinks& links, FluidClusters& clusters) {
+  const std::vector<std::uint8_t> before = clusters.connected;
+  connect_all(links, clusters);
+  Csr lost;
+  for (int pore = 0; pore < size_of(before); ++pore) {
+    if (!before[to_size(pore)] || clusters.connected[to_size(pore)]) continue;
+    const std::vector<int> cluster = reconnect(links, pore, clusters);
+    lost.index.insert(lost.index.end(), cluster.begin(), cluster.end());
+    lost.start.push_back(size_of(lost.index));
+  }
+  for (const int pore : lost.index) clusters.connected[to_size(pore)] = 0;
+  return lost;
+}
+
 std::vector<int> reconnect(const PoreLinks& links, int pore, FluidClusters& clusters) {
   assert(clusters.holds[to_size(pore)] && !clusters.connected[to_size(pore)]);
   std::vector<int> gained{pore};

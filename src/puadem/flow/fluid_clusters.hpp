@@ -67,6 +67,10 @@ struct ClusterSearch {
 /// @return the clusters cut off, a row each
 Csr cut_off(const PoreLinks& links, std::span<const int> around, FluidClusters& clusters, ClusterSearch& search);
 
+/// Finds by one flood from the reservoir all that is cut off and still marked as connected, and clears the
+/// mark: for removals whose ends were not noted. @return the clusters cut off, a row each
+Csr cut_off_anywhere(const PoreLinks& links, FluidClusters& clusters);
+
 /// Connects the cluster of `pore`, which holds the fluid, has not been connected and now touches a
 /// connected pore. @return its pores
 std::vector<int> reconnect(const PoreLinks& links, int pore, FluidClusters& clusters);

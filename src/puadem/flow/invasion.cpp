@@ -27,18 +27,22 @@ void set_reservoirs(const PoreNetwork& network, InvasionState& state) {
   const InvasionOptions& options = state.options;
   state.nonwetting.reservoir = pores_at(network, options.nonwetting_face, "non-wetting");
   state.wetting.reservoir = pores_at(network, options.wetting_face, "wetting");
+  state.counted.resize(to_size(network.pores()));
   CompensatedSum volume;
   int counted = 0;
   for (int i = 0; i < network.pores(); ++i) {
     require(!state.nonwetting.reservoir[to_size(i)] || !state.wetting.reservoir[to_size(i)],
             "pore {} touches both reservoirs, at the {} and the {} face: the packing is too thin between them", i,
             face_names[to_size(options.nonwetting_face)], face_names[to_size(options.wetting_face)]);
+    if (state.is_reservoir(i)) continue;
+    state.counted[to_size(i)] = options.side_pores || network.pore_walls[to_size(i)] == 0;
     if (!state.is_counted(i)) continue;
     ++counted;
     volume.add(network.pore_volume[to_size(i)]);
   }
-  require(counted > 0, "every pore belongs to a reservoir: the packing is too thin between the {} and the {} face",
-          face_names[to_size(options.nonwetting_face)], face_names[to_size(options.wetting_face)]);
+  require(counted > 0, "every pore {}: the packing is too thin between the {} and the {} face",
+          options.side_pores ? "belongs to a reservoir" : "touches a wall", face_names[to_size(options.nonwetting_face)],
+          face_names[to_size(options.wetting_face)]);
   state.void_volume = volume.value();
 }
 
@@ -99,6 +103,9 @@ std::optional<InvasionCandidate> next_move(const PoreNetwork& network, double ta
 }  // namespace
 
 InvasionState start_invasion(const PoreNetwork& network, const Fluids& fluids, const InvasionOptions& options) {
+  require(options.body_entry || !options.corner_water,
+          "body_entry = false needs corner_water = false: a unit entered below its body pressure has no state of rest with "
+          "corner water; set both to false, or body_entry to true");
   InvasionState state;
   state.options = options;
   state.thresholds = invasion_thresholds(network, fluids, options);
@@ -122,6 +129,7 @@ void advance_to(const PoreNetwork& network, double target, InvasionState& state,
     carry_out(network, *move, state, on_event);
   }
   state.capillary_pressure = target;
+  if (state.options.trap_check == TrapCheck::step) trap_at_stop(network, state, on_event);
   for (int i = 0; i < network.pores(); ++i) settle(network, i, state);
 }
 

@@ -12,16 +12,30 @@
 
 namespace puadem {
 
-/// Rules of the quasi-static invasion (theory 4.4). Defaults follow the paper.
+/// When it is looked at what is cut off from its reservoir.
+enum class TrapCheck : std::uint8_t {
+  event,  ///< after each event: the state does not depend on the stops of the path
+  step,   ///< once per stop, after all events on the way to it, as some codes do: it then does
+};
+
+/// Rules of the quasi-static invasion (theory 4.4). Defaults follow the paper, but for snap-off. The last
+/// three are conventions of other codes, for comparison (theory 4.7).
 struct InvasionOptions {
-  int nonwetting_face = 5;      ///< box face whose pores belong to the non-wetting reservoir (top)
-  int wetting_face = 4;         ///< box face whose pores belong to the wetting reservoir (bottom)
-  bool snap_off = true;         ///< throats may close by their corner menisci in imbibition
+  int nonwetting_face = 5;  ///< box face whose pores belong to the non-wetting reservoir (top)
+  int wetting_face = 4;     ///< box face whose pores belong to the wetting reservoir (bottom)
+  /// Throats may close by their corner menisci in imbibition. Off by default: the criterion is that of a long
+  /// tube and closes nearly all throats of a bead pack before any body refills, so that most of the gas is trapped.
+  bool snap_off = false;
   bool trap_wetting = true;     ///< wetting fluid cut off from its reservoir keeps its volume
   bool trap_nonwetting = true;  ///< the same for the non-wetting fluid
   bool corner_films = false;    ///< corner water connects through open throats
   bool corner_water = true;     ///< an invaded unit keeps the water of the local retention law; else none
   bool wall_throats = true;     ///< throats along walls may be invaded
+  bool body_entry = true;       ///< false: the body does not resist entry; only with corner_water = false
+  /// false: pores at walls that are no reservoir are not counted, and gas enters them from inner pores only:
+  /// no throat between two pores at walls opens. Water passes through them.
+  bool side_pores = true;
+  TrapCheck trap_check = TrapCheck::event;
   AnyRetentionLaw retention_law = ExponentialRetention{};
 };
 
@@ -71,13 +85,14 @@ struct InvasionQueue {
   std::vector<std::uint8_t> pore_marks, throat_marks;  ///< bit of each kind that is queued
 };
 
-/// Two fluids at rest in a network. Reservoir pores are full of their fluid and not counted in
-/// saturations and ledger.
+/// Two fluids at rest in a network. Reservoir pores are full of their fluid. They, and side pores if the
+/// options say so, are not counted in saturations and ledger.
 struct InvasionState {
   InvasionOptions options;
   double capillary_pressure = 0.0;     ///< p_c of the reservoirs [Pa]
   FluidClusters wetting, nonwetting;   ///< a throat is open where `nonwetting.passes`
   std::vector<double> wetting_volume;  ///< per pore [m3]; 0 in the non-wetting reservoir, V_i in the wetting one
+  std::vector<std::uint8_t> counted;   ///< per pore: part of saturations and ledger
   double void_volume = 0.0;            ///< of the counted pores [m3]
   FluidLedger ledger;                  ///< volumes since the start
 
@@ -86,10 +101,11 @@ struct InvasionState {
   InvasionQueue drainage, imbibition;  ///< lowest pressure first; highest first
   ClusterSearch search;
 
-  bool is_counted(int pore) const { return !wetting.reservoir[to_size(pore)] && !nonwetting.reservoir[to_size(pore)]; }
+  bool is_counted(int pore) const { return counted[to_size(pore)] != 0; }
+  bool is_reservoir(int pore) const { return wetting.reservoir[to_size(pore)] || nonwetting.reservoir[to_size(pore)]; }
   /// Both fluids reach their reservoirs: the unit follows its local law.
   bool is_in_equilibrium(int pore) const {
-    return nonwetting.connected[to_size(pore)] && wetting.connected[to_size(pore)] && is_counted(pore);
+    return nonwetting.connected[to_size(pore)] && wetting.connected[to_size(pore)] && !is_reservoir(pore);
   }
 };
 
@@ -97,11 +113,12 @@ using InvasionEventCallback = std::function<void(const InvasionEvent&)>;
 
 /// Water everywhere but in the non-wetting reservoir, at p_c = 0.
 /// @throws InputError  for a face without pores, a pore at both faces, no pore between, an angle of 90 degrees
-///                     or more, sizes that are not positive
+///                     or more, sizes that are not positive, options that exclude one another
 InvasionState start_invasion(const PoreNetwork& network, const Fluids& fluids, const InvasionOptions& options);
 
 /// Moves the reservoirs to a capillary pressure through all events on the way, each at its own
-/// pressure (theory 4.5): the state reached does not depend on the stops between.
+/// pressure (theory 4.5): the state reached does not depend on the stops between, unless trapping is
+/// looked at once per stop.
 ///
 /// @param target    [Pa], >= 0
 /// @param on_event  called after each event; may be empty

@@ -16,13 +16,16 @@ void report(const InvasionEventCallback& on_event, const InvasionEvent& event) {
   if (on_event) on_event(event);
 }
 
+// @return what is booked: 0 in a pore that is not counted
 double exchange(const PoreNetwork& network, int pore, double new_volume, InvasionState& state) {
-  assert(state.is_counted(pore));
+  assert(!state.is_reservoir(pore));
   double& wetting = state.wetting_volume[to_size(pore)];
   const double whole = network.pore_volume[to_size(pore)];
   const double change = new_volume - wetting;
-  state.ledger.book(change, (whole - new_volume) - (whole - wetting));
+  const double gas_change = (whole - new_volume) - (whole - wetting);
   wetting = new_volume;
+  if (!state.is_counted(pore)) return 0.0;
+  state.ledger.book(change, gas_change);
   return change;
 }
 
@@ -43,23 +46,30 @@ void set_open(int throat, bool open, InvasionState& state) {
   state.wetting.passes[to_size(throat)] = !open || state.options.corner_films;
 }
 
+FluidClusters& fluid_of(EventKind kind, InvasionState& state) {
+  return kind == EventKind::trap_wetting || kind == EventKind::free_wetting ? state.wetting : state.nonwetting;
+}
+
 // What is cut off keeps the wetting volume it has at this pressure.
-void trap(const PoreNetwork& network, std::span<const int> around, EventKind kind, InvasionState& state,
-          const InvasionEventCallback& on_event) {
-  const bool is_wetting = kind == EventKind::trap_wetting;
-  FluidClusters& fluid = is_wetting ? state.wetting : state.nonwetting;
-  const FluidClusters& other = is_wetting ? state.nonwetting : state.wetting;
-  const Csr lost = cut_off(state.links, around, fluid, state.search);
+void freeze(const PoreNetwork& network, const Csr& lost, EventKind kind, InvasionState& state,
+            const InvasionEventCallback& on_event) {
+  const FluidClusters& other = kind == EventKind::trap_wetting ? state.nonwetting : state.wetting;
   for (const int pore : lost.index)
-    if (other.connected[to_size(pore)] && state.is_counted(pore) && is_stable(pore, state))
+    if (other.connected[to_size(pore)] && !state.is_reservoir(pore) && is_stable(pore, state))
       exchange(network, pore, volume_at_rest(network, pore, state), state);
   for (int row = 0; row < lost.rows(); ++row)
     report(on_event, {kind, state.capillary_pressure, std::ranges::min(lost[row]), -1, size_of(lost[row])});
 }
 
+void trap(const PoreNetwork& network, std::span<const int> around, EventKind kind, InvasionState& state,
+          const InvasionEventCallback& on_event) {
+  if (state.options.trap_check == TrapCheck::step) return;
+  freeze(network, cut_off(state.links, around, fluid_of(kind, state), state.search), kind, state, on_event);
+}
+
 // What is reached again comes to rest at the pressure of the reservoirs.
 void release(const PoreNetwork& network, int pore, EventKind kind, InvasionState& state, const InvasionEventCallback& on_event) {
-  FluidClusters& fluid = kind == EventKind::free_wetting ? state.wetting : state.nonwetting;
+  FluidClusters& fluid = fluid_of(kind, state);
   if (!fluid.holds[to_size(pore)] || fluid.connected[to_size(pore)]) return;
   const std::vector<int> gained = reconnect(state.links, pore, fluid);
   double change = 0.0;
@@ -138,6 +148,11 @@ void snap_off(const PoreNetwork& network, int throat, InvasionState& state, cons
 double settle(const PoreNetwork& network, int pore, InvasionState& state) {
   if (!state.is_in_equilibrium(pore) || !is_stable(pore, state)) return 0.0;
   return exchange(network, pore, volume_at_rest(network, pore, state), state);
+}
+
+void trap_at_stop(const PoreNetwork& network, InvasionState& state, const InvasionEventCallback& on_event) {
+  for (const EventKind kind : {EventKind::trap_wetting, EventKind::trap_nonwetting})
+    freeze(network, cut_off_anywhere(state.links, fluid_of(kind, state)), kind, state, on_event);
 }
 
 void carry_out(const PoreNetwork& network, const InvasionCandidate& candidate, InvasionState& state,

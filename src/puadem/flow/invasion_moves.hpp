@@ -10,6 +10,9 @@ namespace puadem {
 void carry_out(const PoreNetwork& network, const InvasionCandidate& candidate, InvasionState& state,
                const InvasionEventCallback& on_event);
 
+/// Looks at once at all that the moves since the last stop have cut off, for `TrapCheck::step`.
+void trap_at_stop(const PoreNetwork& network, InvasionState& state, const InvasionEventCallback& on_event);
+
 /// Gives a pore in equilibrium the wetting volume of its local law and books the exchange.
 /// A pore below its body pressure, about to be refilled, is left as it is.
 /// @return change of the wetting volume [m3]

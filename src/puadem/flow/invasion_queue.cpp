@@ -1,6 +1,7 @@
 #include "puadem/flow/invasion_queue.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace puadem {
@@ -22,8 +23,11 @@ std::optional<InvasionCandidate> drainage_candidate(const PoreNetwork& network, 
   const auto enters = [&](std::size_t from, std::size_t into) {
     return nonwetting.connected[from] && wetting.connected[into] && !wetting.reservoir[into];
   };
-  if (enters(i, j)) return InvasionCandidate{std::max(entry, thresholds.body_pressure[j]), entry, throat, Kind::enter_second};
-  if (enters(j, i)) return InvasionCandidate{std::max(entry, thresholds.body_pressure[i]), entry, throat, Kind::enter_first};
+  const auto pressure_into = [&](std::size_t into) {
+    return state.options.body_entry ? std::max(entry, thresholds.body_pressure[into]) : entry;
+  };
+  if (enters(i, j)) return InvasionCandidate{pressure_into(j), entry, throat, Kind::enter_second};
+  if (enters(j, i)) return InvasionCandidate{pressure_into(i), entry, throat, Kind::enter_first};
   return {};
 }
 
@@ -37,19 +41,24 @@ std::optional<InvasionCandidate> snap_off_candidate(const PoreNetwork& network, 
 
 std::optional<InvasionCandidate> fill_candidate(const InvasionState& state, int pore) {
   const std::size_t i = to_size(pore);
-  if (!state.nonwetting.connected[i] || !state.is_counted(pore)) return {};
+  if (!state.nonwetting.connected[i] || state.is_reservoir(pore)) return {};
   const double body = state.thresholds.body_pressure[i];
   if (state.thresholds.keeps_water[i]) {
     if (!state.wetting.connected[i]) return {};
     return InvasionCandidate{body, 0.0, pore, Kind::fill};
   }
-  // A dry pore is refilled by a front through the tightest of its throats that water stands behind.
-  double front = 0.0;
-  for (const auto [neighbour, throat] : state.links[pore])
-    if (!state.nonwetting.passes[to_size(throat)] && state.wetting.connected[to_size(neighbour)])
-      front = std::max(front, state.thresholds.entry_pressure[to_size(throat)]);
+  // A dry pore is refilled by a front through the tightest of its throats that water stands behind. Where the
+  // body does not resist entry, the widest throat to gas must let go too, or the pore would drain again at
+  // once (theory 4.7).
+  double front = 0.0, back = std::numeric_limits<double>::infinity();
+  for (const auto [neighbour, throat] : state.links[pore]) {
+    const double entry = state.thresholds.entry_pressure[to_size(throat)];
+    if (!state.nonwetting.passes[to_size(throat)] && state.wetting.connected[to_size(neighbour)]) front = std::max(front, entry);
+    if (state.nonwetting.holds[to_size(neighbour)] && state.thresholds.may_open[to_size(throat)]) back = std::min(back, entry);
+  }
   if (front == 0.0) return {};
-  return InvasionCandidate{std::min(body, front), 0.0, pore, Kind::fill};
+  const double pressure = state.options.body_entry ? std::min(body, front) : std::min({body, front, back});
+  return InvasionCandidate{pressure, 0.0, pore, Kind::fill};
 }
 
 namespace {

@@ -50,7 +50,10 @@ void set_throat(const PoreNetwork& network, const Fluids& fluids, const Invasion
   }
   const double entry_pressure = fluids.surface_tension / entry;
   out.entry_pressure[to_size(t)] = entry_pressure;
-  out.may_open[to_size(t)] = options.wall_throats || !network.throat_at_wall[to_size(t)];
+  const auto [i, j] = network.throat_pores[to_size(t)];
+  const bool joins_walls = network.pore_walls[to_size(i)] && network.pore_walls[to_size(j)];
+  out.may_open[to_size(t)] =
+      (options.wall_throats || !network.throat_at_wall[to_size(t)]) && (options.side_pores || !joins_walls);
   if (!options.snap_off) return;
   require(snap_off >= entry * (1.0 - rounding), "throat {} has the snap-off radius {} m below its entry radius {} m", t, snap_off,
           entry);

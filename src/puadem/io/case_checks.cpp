@@ -150,6 +150,9 @@ void check_stage(const RetentionStage& stage, const StageContext& at, Problems& 
     if (at.c.domain.periodic[to_size(axis_of(face))])
       problems.error(at.value_place(key), fmt::format("stage.{}.{} = \"{}\" is no wall: the direction {} is periodic", at.index,
                                                       key, face_names[to_size(face)], "xyz"[axis_of(face)]));
+  if (!stage.invasion.body_entry && stage.invasion.corner_water)
+    problems.error(at.value_place("body_entry"),
+                   fmt::format("stage.{0}.body_entry = false needs stage.{0}.corner_water = false", at.index));
   if (at.tree.find("path") == nullptr) return;
   const std::size_t given = at.tree.find("path")->children.size();
   if (given != stage.path.size()) return;  // values with errors of their own

@@ -61,6 +61,17 @@ Field<RetentionStage> invasion_flag(std::string name, std::string help, bool Inv
       flag(std::move(name), std::move(help)), [member](auto& s) -> auto& { return s.invasion.*member; });
 }
 
+Field<RetentionStage> trap_check_field() {
+  const KeyInfo info = choice("trap_check", {"event", "step"},
+                              "when it is looked at what is cut off: after each event, or once per output step, as some codes "
+                              "do; the curve then depends on the step");
+  return {info,
+          [info](const TomlValue& value, Problems& problems, RetentionStage& s) {
+            if (const auto index = read_choice(value, info, problems)) s.invasion.trap_check = static_cast<TrapCheck>(*index);
+          },
+          [info](const RetentionStage& s) { return toml_text(info.choices[static_cast<std::size_t>(s.invasion.trap_check)]); }};
+}
+
 Field<RetentionStage> grains_field() {
   const KeyInfo info =
       choice("grains", {"fixed", "moving"}, "whether grains move during the stage; only \"fixed\" in this version");
@@ -87,7 +98,7 @@ const Section<RetentionStage>& retention_section() {
         face_field("water", "face of the wetting reservoir", &InvasionOptions::wetting_face),
         bind<RetentionStage>(path, &RetentionStage::path),
         bind<RetentionStage>(quantity("step", "Pa", above(0), between(1e-2, 1e8), R"("100 Pa")",
-                                      "output step along the path; the curve does not depend on it"),
+                                      "output step along the path; with trap_check = \"event\" the curve does not depend on it"),
                              &RetentionStage::step),
         invasion_flag("snap_off", "open throats may close by their corner menisci in imbibition", &InvasionOptions::snap_off),
         invasion_flag("trap_wetting", "wetting fluid cut off from its reservoir keeps its volume",
@@ -98,6 +109,14 @@ const Section<RetentionStage>& retention_section() {
         invasion_flag("corner_water", "an invaded unit keeps the water of the local retention law; else none",
                       &InvasionOptions::corner_water),
         invasion_flag("wall_throats", "throats along walls may be invaded", &InvasionOptions::wall_throats),
+        invasion_flag("body_entry",
+                      "the body of a pore resists entry as its throats do; false only together with corner_water = false",
+                      &InvasionOptions::body_entry),
+        invasion_flag("side_pores",
+                      "pores at walls other than the reservoirs are counted and entered as all others; false: not counted, "
+                      "and entered from inner pores only",
+                      &InvasionOptions::side_pores),
+        trap_check_field(),
         bind_law<RetentionStage, AnyRetentionLaw>(
             "retention_law", "capillary pressure of a unit that holds both fluids",
             [](auto& s) -> auto& { return s.invasion.retention_law; }),
