@@ -9,6 +9,8 @@ namespace puadem {
 /// Contact Mechanics, sections 4.2 and 7.2), theory dem 6.
 struct HertzMindlin {
   static constexpr double damping_factor = 1.8257418583505537;  ///< 2 sqrt(5/6), Tsuji et al. 1992, Powder Technology 71, 239
+  static constexpr double energy_share = 4.0 / 15.0;
+  static constexpr bool stores_shear = false;
   static double stiffness_ratio(const PairConstants<double>& pair) { return 4.0 * pair.shear / pair.youngs; }
 
   /// @param overlap           [m], >= 0

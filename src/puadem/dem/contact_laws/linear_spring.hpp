@@ -9,6 +9,8 @@ namespace puadem {
 /// 29, 47), theory dem 5.
 struct LinearSpring {
   static constexpr double damping_factor = 2.0;
+  static constexpr double energy_share = 0.5;
+  static constexpr bool stores_shear = true;
   static double stiffness_ratio(const PairConstants<double>& pair) { return pair.stiffness_ratio; }
 
   /// @param overlap           [m], >= 0

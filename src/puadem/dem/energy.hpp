@@ -1,0 +1,29 @@
+#pragma once
+
+#include "puadem/dem/grain_system.hpp"
+
+namespace puadem {
+
+/// Where the energy of a system is, and where it went since the book was opened [J], theory dem 16.
+struct Energies {
+  double kinetic = 0.0;     ///< of translation and rotation at the present places
+  double normal = 0.0;      ///< stored in normal springs
+  double shear = 0.0;       ///< stored in shear springs; linear law only, the incremental Mindlin law has no potential
+  double friction = 0.0;    ///< lost in sliding; linear law only
+  double shear_work = 0.0;  ///< all that shear springs and sliders took up: shear + friction for the linear law
+  double roll_work = 0.0;   ///< all that rolling and twisting resistance took up
+  double viscous = 0.0;
+  double damping = 0.0;
+  double input = 0.0;  ///< work of walls, gravity and external forces
+
+  double stored() const { return kinetic + normal; }
+  double taken() const { return shear_work + roll_work + viscous + damping; }
+};
+
+/// Opens the book: energies from here on. Forces must be those of the present places.
+void open_energy_book(GrainSystem& system);
+
+/// @pre the forces are those of the present places
+Energies energies(const GrainSystem& system);
+
+}  // namespace puadem

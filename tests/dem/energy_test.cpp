@@ -1,0 +1,152 @@
+// Energy balances, and resistance to rolling and twisting.
+#include "puadem/dem/energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "puadem/dem/motion.hpp"
+#include "support.hpp"
+
+namespace puadem {
+namespace {
+
+constexpr double spacing = 1e-3;
+
+ContactOptions contact_of(ContactOptions::Law law, double wall_friction = 0.0) {
+  ContactOptions contact;
+  contact.law = law;
+  contact.wall_friction = wall_friction;
+  return contact;
+}
+
+/// Largest departure of kinetic and stored energy from their start, relative, of frictionless grains that fly about.
+double gas_error(ContactOptions::Law law, double dt, int steps) {
+  const int n = 5;
+  const Material m = test::material(1e7, 0.3, 2650);
+  Particles p = test::shaken_lattice(n, 1.2 * spacing, m, 3, 0.2);
+  for (double& r : p.radius) r *= 0.8;  // room between them
+  Domain box;
+  box.upper = n * 1.2 * spacing * Vec3{1, 1, 1};
+  box.periodic = {true, true, false};
+  GrainSystem s = make_grain_system(p, box, std::span(&m, 1), contact_of(law), {});
+  s.time_step = dt;
+  evaluate_forces(s);
+  const double start = energies(s).stored();
+  double worst = 0.0;
+  for (int step = 0; step < steps; step += 20) {
+    advance_grains(s, 20);
+    evaluate_forces(s);
+    worst = std::max(worst, std::abs(energies(s).stored() / start - 1.0));
+  }
+  EXPECT_GT(s.list_builds, 5);
+  return worst;
+}
+
+TEST(Energy, OfAnElasticGasIsKeptAtTheOrderOfTheIntegrator) {
+  for (const auto law : {ContactOptions::Law::linear_spring, ContactOptions::Law::hertz_mindlin}) {
+    const double coarse = gas_error(law, 1e-6, 10000), fine = gas_error(law, 0.5e-6, 20000);
+    EXPECT_LT(fine, 1e-3);
+    EXPECT_GT(coarse / fine, 3.0);
+  }
+}
+
+/// A frictional lattice squeezed by its top wall; returns the end and the share of the input that is missing.
+struct Balance {
+  Energies end;
+  double residual;
+};
+Balance squeeze(const ContactOptions& contact, double damping) {
+  const int n = 5;
+  const Material m = test::material(1e7, 0.3, 2650, 0.4);
+  Particles p = test::shaken_lattice(n, spacing, m, 5, 0.0);
+  for (double& r : p.radius) r *= 0.95;
+  Domain box;
+  box.upper = n * spacing * Vec3{1, 1, 1};
+  MotionOptions motion;
+  motion.damping = damping;
+  motion.gravity = {0, 0, -9.81};
+  GrainSystem s = make_grain_system(p, box, std::span(&m, 1), contact, motion);
+  s.time_step = 2e-7;
+  set_box_rate(s, {0, 0, -0.1});
+  evaluate_forces(s);
+  open_energy_book(s);
+  const Energies start = energies(s);
+  advance_grains(s, 20000);
+  evaluate_forces(s);
+  const Energies end = energies(s);
+  return {end, (end.stored() + end.taken() - start.stored() - start.taken() - end.input) / end.input};
+}
+
+TEST(Energy, InputIsStoredOrLostWithEitherLaw) {
+  for (const auto law : {ContactOptions::Law::linear_spring, ContactOptions::Law::hertz_mindlin}) {
+    ContactOptions contact = contact_of(law, 0.2);
+    contact.rolling_stiffness = 1.0;
+    contact.rolling_friction = 0.1;
+    contact.twisting_stiffness = 0.5;
+    contact.twisting_friction = 0.05;
+    const Balance b = squeeze(contact, 0.1);
+    EXPECT_LT(std::abs(b.residual), 1e-4);
+    EXPECT_GT(b.end.damping, 1e-3 * b.end.input);
+    EXPECT_GT(b.end.shear_work, 1e-2 * b.end.input);
+    EXPECT_GT(b.end.roll_work, 1e-4 * b.end.input);
+    if (law == ContactOptions::Law::linear_spring) {
+      EXPECT_GT(b.end.friction, 1e-3 * b.end.input);
+      EXPECT_GT(b.end.shear, 0.0);
+    }
+  }
+}
+
+TEST(Energy, ViscousContactsBookWhatTheyTake) {
+  ContactOptions contact = contact_of(ContactOptions::Law::hertz_mindlin);
+  contact.restitution = 0.5;
+  const Balance b = squeeze(contact, 0.0);
+  EXPECT_LT(std::abs(b.residual), 2e-3);  // the viscous force is that of half a step before
+  EXPECT_GT(b.end.viscous, 1e-3 * b.end.input);
+}
+
+/// A sphere that rests on the floor by its own weight, gravity tilted by `slope`.
+GrainSystem resting(const ContactOptions& contact, double slope) {
+  const Material m = test::material(1e9, 0.3, 2500, 0.5);
+  const double radius = 1e-3, youngs = 1e9 / 1.82;
+  Particles p = make_particles(std::vector<Vec3>{{1e-2, 5e-3, radius}}, std::vector<double>{radius}, m);
+  p.position[0].z -= std::pow(p.mass[0] * 10 * std::cos(slope) / (4.0 / 3.0 * youngs * std::sqrt(radius)), 2.0 / 3.0);
+  Domain box;
+  box.upper = {1.0, 1e-2, 1e-2};
+  MotionOptions motion;
+  motion.gravity = {10 * std::sin(slope), 0, -10 * std::cos(slope)};
+  GrainSystem s = make_grain_system(p, box, std::span(&m, 1), contact, motion);
+  s.time_step = 1e-6;
+  return s;
+}
+
+// A sphere that rolls against the couple eta R N: (7/5) m a = m g sin - eta m g cos.
+TEST(RollingResistance, HoldsASphereOnAGentleSlopeAndSlowsItOnASteepOne) {
+  ContactOptions contact = contact_of(ContactOptions::Law::hertz_mindlin, 0.5);
+  contact.rolling_stiffness = 1.0;
+  contact.rolling_friction = 0.1;
+  GrainSystem still = resting(contact, std::atan(0.05));
+  advance_grains(still, 50000);
+  EXPECT_LT(std::abs(still.record[0].place[0] - 1e-2), 1e-6);
+
+  const double slope = std::atan(0.3);
+  GrainSystem rolling = resting(contact, slope);
+  advance_grains(rolling, 50000);
+  const double acceleration = 5.0 / 7.0 * 10 * (std::sin(slope) - 0.1 * std::cos(slope));
+  EXPECT_NEAR(rolling.record[0].drift[0] / 5e-2, acceleration, 1e-2 * acceleration);
+}
+
+// A top that turns about the normal against the couple eta R N.
+TEST(TwistingResistance, SlowsATop) {
+  ContactOptions contact = contact_of(ContactOptions::Law::hertz_mindlin, 0.5);
+  contact.twisting_stiffness = 1.0;
+  contact.twisting_friction = 0.05;
+  GrainSystem s = resting(contact, 0.0);
+  s.record[0].spin[2] = 40.0;
+  advance_grains(s, 10000);
+  EXPECT_NEAR(s.record[0].spin[2], 40.0 - 0.05 * 10 / (0.4 * 1e-3) * 1e-2, 0.05);
+}
+
+}  // namespace
+}  // namespace puadem
