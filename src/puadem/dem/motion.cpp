@@ -7,12 +7,14 @@
 #include "puadem/base/error.hpp"
 #include "puadem/dem/contact_forces.hpp"
 #include "puadem/dem/contacts.hpp"
+#include "puadem/dem/guards.hpp"
 #include "puadem/dem/neighbour_list.hpp"
 
 namespace puadem {
 
 namespace {
 
+constexpr long guard_interval = 100;
 constexpr int grains_per_chunk = 512;
 constexpr int grains_worth_threads = 4096;  // below, waking a thread costs more than it does
 
@@ -113,6 +115,9 @@ void move_box(GrainSystem& s) {
     wall_speed = std::max(wall_speed, std::abs(dot(wall.velocity, wall.normal)));
   }
   s.domain.upper += s.time_step * s.box_rate;
+  for (const Wall& wall : s.walls)  // a servo wall takes its face of the box along
+    if (wall.target && wall.face >= 0)
+      (is_upper(wall.face) ? s.domain.upper : s.domain.lower)[axis_of(wall.face)] = wall.point[axis_of(wall.face)];
   const double shortening = std::max({-s.box_rate.x / size.x, -s.box_rate.y / size.y, -s.box_rate.z / size.z, 0.0});
   const double other = s.motion.strain_with_box ? s.drift_limit : std::max(s.drift_limit, wall_speed);
   // Reach of any two listed grains: the box is wider than four radii wherever it strains.
@@ -120,9 +125,10 @@ void move_box(GrainSystem& s) {
   s.slack += s.time_step * (s.drift_limit + other + shortening * reach);
 }
 
-void guard(const GrainSystem& s) {
+void guard_motion(const GrainSystem& s) {
   ensure(std::isfinite(s.drift_limit),
-         "step {}: a grain's velocity is not a number; the time step {:.3g} s is too long or the input is", s.steps, s.time_step);
+         "step {}: a grain's velocity is not a number; the time step {:.3g} s is too long or the input is not finite", s.steps,
+         s.time_step);
 }
 
 }  // namespace
@@ -172,12 +178,13 @@ void move_grains(GrainSystem& s) {
   move_box(s);
   ++s.steps;
   s.is_evaluated = false;
-  guard(s);
+  guard_motion(s);
 }
 
 void advance_grains(GrainSystem& system, long steps) {
   for (long step = 0; step < steps; ++step) {
     evaluate_forces(system);
+    if (system.steps % guard_interval == 0) guard_grains(system);
     steer_walls(system);
     move_grains(system);
   }
@@ -246,7 +253,7 @@ void steer_walls(GrainSystem& s) {
     if (!wall.target) continue;
     const double missing = *wall.target * wall.area + dot(wall.force, wall.normal);  // grains push against the normal
     const double wanted = wall.stiffness > 0.0 ? wall.servo_gain * missing / (wall.stiffness * s.time_step) : wall.speed_limit;
-    wall.velocity = std::clamp(wanted, -wall.speed_limit, wall.speed_limit) * wall.normal;
+    wall.velocity = std::clamp(wanted, -wall.speed_limit, wall.speed_limit) * wall.normal + wall.slide;
   }
 }
 

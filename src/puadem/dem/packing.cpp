@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "puadem/base/error.hpp"
+#include "puadem/dem/boundary_program.hpp"
+#include "puadem/dem/guards.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/sphere_in_box.hpp"
 
@@ -32,16 +34,6 @@ struct Compaction {
   double fraction = 0.0;
   bool stopped = false;
 };
-
-Vec3 axis_stress(const GrainSystem& s, const GrainMeasures& m) {
-  Vec3 stress;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto lower = static_cast<unsigned>(2 * axis);
-    stress[axis] = s.domain.periodic[static_cast<unsigned>(axis)] ? m.stress[static_cast<unsigned>(axis)][axis]
-                                                                  : 0.5 * (m.wall_stress[lower] + m.wall_stress[lower + 1]);
-  }
-  return stress;
-}
 
 /// Largest relative distance of a wall, or of a periodic axis, from the target stress.
 double stress_error(const Compaction& c) {
@@ -74,15 +66,10 @@ void control_box(Compaction& c) {
   const double target = c.options.stress;
   const bool loose = m.mean_stress < 0.02 * target && m.coordination < 4.0;
   const double limit = c.natural_rate * (loose ? loose_inertia : dense_inertia);
-  const Vec3 size = s.domain.size();
-  Vec3 rate;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double missing = target - m.stress[static_cast<unsigned>(axis)][axis];
-    const double stiffness = m.affine_modulus[axis];
-    const double wanted = stiffness > 0.0 ? missing / (stiffness * relaxation_steps * s.time_step) : limit;
-    rate[axis] = -std::clamp(loose ? limit : wanted, -limit, limit) * size[axis];
-  }
-  set_box_rate(s, rate);
+  BoxProgram program{
+      .stress = {target, target, target}, .strain_rate = {}, .rate_limit = limit, .relaxation_steps = relaxation_steps};
+  if (loose) program = {.stress = {}, .strain_rate = {limit, limit, limit}};
+  steer_box(s, program, m);
 }
 
 void set_time_step(Compaction& c) {
@@ -99,6 +86,7 @@ void run_interval(Compaction& c) {
     move_grains(c.system);
   }
   evaluate_forces(c.system);
+  guard_grains(c.system);
   c.measures = measure(c.system);
   set_time_step(c);
   collect(c.system, c.particles);

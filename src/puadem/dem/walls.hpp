@@ -18,6 +18,7 @@ struct Wall {
   double friction = 0.0;         ///< mu between this wall and grains [-]
   std::optional<double> target;  ///< servo: normal stress to hold [Pa]; none: the wall moves at `velocity`
   double area = 0.0;             ///< that the servo divides the force by [m2]
+  Vec3 slide;                    ///< velocity of the wall within its plane while the servo sets the rest [m/s]
   double servo_gain = 0.5;       ///< share of the missing force made up for in one step [-]
   double speed_limit = 0.0;      ///< of the servo [m/s]
   Vec3 force;                    ///< of the grains on the wall, last evaluation [N]
