@@ -11,6 +11,8 @@ void update_contact_forces(GrainSystem& system);
 
 /// Sum of the slots of record k, ordered by identity of the partner: force [N] and the sum of moments,
 /// -R of which is the torque.
+/// Rows end with that many spare entries, so that a sum can ask for slots ahead of time.
+inline constexpr int rows_ahead = 24;
 struct SlotSum {
   Lanes force;
   Lanes moment;
@@ -18,6 +20,7 @@ struct SlotSum {
 PUADEM_INLINE SlotSum sum_slots(const ContactSlot* slot, const int* row, int begin, int end) {
   SlotSum sum{};
   for (int e = begin; e < end; ++e) {
+    __builtin_prefetch(slot + (row[e + rows_ahead] >> 1));
     const ContactSlot& s = slot[row[e] >> 1];
     const Lanes sign = broadcast((row[e] & 1) != 0 ? 1.0 : -1.0);
     sum.force += sign * s.force;

@@ -61,7 +61,7 @@ struct Motion {
   double body = 0.0;     ///< work of gravity and external forces [J]
 };
 
-double dot3(const Lanes& a, const Lanes& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+PUADEM_INLINE double dot3(const Lanes& a, const Lanes& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 PUADEM_INLINE Lanes sum_couples(const RollSlot* slot, const int* row, int begin, int end) {
   Lanes sum{};

@@ -7,6 +7,7 @@
 #include "puadem/base/csr.hpp"
 #include "puadem/base/error.hpp"
 #include "puadem/dem/cell_grid.hpp"
+#include "puadem/dem/contact_forces.hpp"
 #include "puadem/dem/contact_history.hpp"
 
 namespace puadem {
@@ -195,7 +196,7 @@ void make_rows(GrainSystem& s) {
   std::vector<Entry> entry(to_size(start.back()));
   std::vector<int> next(start.begin(), start.end() - 1);
   for_each_end([&](int record, int partner, int place) { entry[to_size(next[to_size(record)]++)] = {partner, place}; });
-  s.row.resize(entry.size());
+  s.row.assign(entry.size() + to_size(rows_ahead), 0);
   for (int k = 0; k < s.owned; ++k) {
     const auto begin = entry.begin() + start[to_size(k)], end = entry.begin() + start[to_size(k) + 1];
     std::sort(begin, end,
