@@ -97,9 +97,12 @@ bool same(const Material& a, const Material& b) {
          friction_angle == b.friction_angle;
 }
 bool same(const ContactOptions& a, const ContactOptions& b) {
-  const auto& [law, stiffness_ratio, wall_friction, wall_elasticity, restitution] = a;
+  const auto& [law, stiffness_ratio, wall_friction, wall_elasticity, restitution, rolling_stiffness, rolling_friction,
+               twisting_stiffness, twisting_friction] = a;
   return law == b.law && stiffness_ratio == b.stiffness_ratio && wall_friction == b.wall_friction &&
-         wall_elasticity == b.wall_elasticity && restitution == b.restitution;
+         wall_elasticity == b.wall_elasticity && restitution == b.restitution && rolling_stiffness == b.rolling_stiffness &&
+         rolling_friction == b.rolling_friction && twisting_stiffness == b.twisting_stiffness &&
+         twisting_friction == b.twisting_friction;
 }
 bool same(const Fluid& a, const Fluid& b) {
   const auto& [viscosity, density] = a;
@@ -166,7 +169,7 @@ Case read(const std::string& text, std::vector<std::string> overrides = {}) {
 }
 
 TEST(CaseFile, FillsEveryField) {
-  const Case c = read(beads, {"contact.wall_elasticity=rigid", "contact.restitution=0.8"});
+  const Case c = read(beads, {"contact.wall_elasticity=rigid", "contact.restitution=0.8", "contact.rolling_friction=0.2"});
   EXPECT_EQ(c.title, "beads \xC2\xB5 \"quoted\"");
   EXPECT_EQ(c.seed, 7U);
   EXPECT_EQ(c.domain.shape, (Vec3{1, 1, 2}));
@@ -186,6 +189,7 @@ TEST(CaseFile, FillsEveryField) {
   EXPECT_EQ(c.contact.wall_friction, 0.1);
   EXPECT_EQ(c.contact.wall_elasticity, ContactOptions::WallElasticity::rigid);
   EXPECT_EQ(c.contact.restitution, 0.8);
+  EXPECT_EQ(c.contact.rolling_friction, 0.2);
   EXPECT_EQ(c.fluids.surface_tension, 0.05);
   EXPECT_EQ(c.fluids.contact_angle, 20 * (std::numbers::pi / 180));
   EXPECT_TRUE(same(c.fluids.wetting, {2e-3, 900}));
@@ -226,7 +230,7 @@ TEST(CaseFile, LeavesOutWhatHasADefault) {
 }
 
 TEST(ResolvedCase, ReadsBackToTheSameCase) {
-  const Case c = read(beads, {"contact.wall_elasticity=rigid", "contact.restitution=0.8"});
+  const Case c = read(beads, {"contact.wall_elasticity=rigid", "contact.restitution=0.8", "contact.rolling_friction=0.2"});
   const Case back = parse_case(resolved_case(c), "resolved", "/elsewhere").c;
   EXPECT_TRUE(same(back, c));
   EXPECT_EQ(resolved_case(back), resolved_case(c));

@@ -27,7 +27,7 @@ void describe_network(const PoreNetwork& network, const InvasionState& invasion,
   s["pores"] = network.pores();
   s["throats"] = network.throats();
   s["pores_reservoir"] = network.pores() - static_cast<int>(std::ranges::count_if(
-                                               std::views::iota(0, network.pores()), [&](int p) { return invasion.is_counted(p); }));
+                                               std::views::iota(0, network.pores()), [&](int p) { return !invasion.is_reservoir(p); }));
   s["void_counted_m3"] = invasion.void_volume;
   for (const auto& [name, kind] : {std::pair{"throats_meniscus", EntryKind::meniscus}, {"throats_wide_edge", EntryKind::wide_edge},
                                    {"throats_half_gap", EntryKind::half_gap}, {"throats_inscribed", EntryKind::inscribed},

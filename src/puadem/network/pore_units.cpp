@@ -130,7 +130,7 @@ void add_throat(PoreNetwork& network, const Facet& facet, std::size_t f, const C
   network.throat_entry_radius.push_back(sections.entry_radius[f]);
   network.throat_snap_off_radius.push_back(sections.snap_off_radius[f]);
   network.throat_entry_kind.push_back(sections.kind[f]);
-  network.throat_at_wall.push_back(vertices[0].is_wall() ? 1 : 0);  // walls come first
+  network.throat_at_wall.push_back(std::ranges::any_of(vertices, &Vertex::is_wall) ? 1 : 0);
   network.throat_particles.push_back(vertices);
   ++network.pore_faces[to_size(i)];
   ++network.pore_faces[to_size(j)];
