@@ -9,6 +9,7 @@ namespace puadem {
 namespace {
 
 constexpr int blocks_per_chunk = 64;
+constexpr int blocks_ahead = 4;             // whose records are asked for while a block is worked on
 constexpr int blocks_worth_threads = 4096;  // below, waking a thread costs more than it does
 
 struct GrainLoop {
@@ -33,6 +34,12 @@ PUADEM_CLONES ContactWork grain_blocks(const GrainLoop& loop, int begin, int end
   PairConstants<Lanes> pair = spread(loop.table[0]);
   const Lanes dt = broadcast(loop.time_step);
   for (int b = begin; b < end; ++b) {
+    if (b + blocks_ahead < end)
+      for (const auto* four : {first, second})
+        for (const int k : four[b + blocks_ahead]) {
+          __builtin_prefetch(record + k);
+          __builtin_prefetch(&record[k].turn);
+        }
     const Quad at_i = load<&GrainRecord::place>(record, first[b]), at_j = load<&GrainRecord::place>(record, second[b]);
     const LaneVec3 branch = at_j.vector - at_i.vector;
     const Lanes reach = at_i.scalar + at_j.scalar;
@@ -59,6 +66,7 @@ PUADEM_CLONES ContactWork grain_blocks(const GrainLoop& loop, int begin, int end
     a.share_i = at_i.scalar * inverse * length;
     a.effective_radius = a.share_i * at_j.scalar;
     a.lever = reach * inverse_length;
+    a.inverse_lever = squared * inverse;
     const LaneVec3 roll = at_i.scalar * turn_i.vector + at_j.scalar * turn_j.vector;
     a.slip = reach * a.frame.change - cross(roll, 2.0 * a.frame.normal - a.frame.change);
     a.twist = 0.5 * dot(turn_i.vector + turn_j.vector, a.frame.normal);
@@ -124,7 +132,7 @@ PUADEM_CLONES ContactWork wall_blocks(const WallLoop& loop, int begin, int end) 
     a.overlap = a.touching ? at.scalar - distance : Lanes{};
     a.effective_radius = at.scalar;
     a.share_i = Lanes{};
-    a.lever = broadcast(1.0);
+    a.lever = a.inverse_lever = broadcast(1.0);
     a.slip = dt * velocity - cross(2.0 * at.scalar * turn.vector, normal);
     a.twist = 0.5 * dot(turn.vector, normal);
     a.approach_speed = -dot(velocity, normal);

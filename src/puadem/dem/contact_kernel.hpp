@@ -58,6 +58,7 @@ struct Approach {
   LaneVec3 slip;           ///< of j's surface over i's in the last step [m]
   Lanes twist;             ///< tangent of half the mean turn about n [-]
   Lanes lever;             ///< (R_i + R_j) / |d|, factor from generalised to real shear force [-]
+  Lanes inverse_lever;     ///< [-]
   Lanes approach_speed;    ///< -d|d|/dt [m/s]
   Lanes effective_mass;    ///< [kg]
   LaneVec3 rotation;       ///< of j against i in the last step [rad]; used where contacts resist rolling
@@ -116,7 +117,7 @@ PUADEM_INLINE ContactResponse<Lanes> finish(const Approach& a, const PairConstan
   const LaneVec3 old_shear = turn_with_contact(history, a.frame, a.twist);
   LaneVec3 shear = old_shear - response.shear * slip;
 
-  const Lanes limit = pair.friction * response.force / a.lever;
+  const Lanes limit = pair.friction * response.force * a.inverse_lever;
   const Lanes squared = dot(shear, shear);
   const LaneMask slides = a.touching & (squared > limit * limit);
   if (any(slides)) shear = (slides ? limit / square_root(squared) : broadcast(1.0)) * shear;
