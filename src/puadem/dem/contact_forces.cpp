@@ -24,8 +24,9 @@ struct GrainLoop {
 };
 
 /// @tparam full  with rolling resistance and the energy book
+/// @param done   work of the chunk, written where `full`
 template <class Law, bool full>
-PUADEM_CLONES ContactWork grain_blocks(const GrainLoop& loop, int begin, int end) {
+PUADEM_CLONES void grain_blocks(const GrainLoop& loop, int begin, int end, ContactWork* done) {
   ContactWork work;
   const GrainRecord* record = loop.record;
   const std::array<int, 4>* first = loop.blocks->first.data();
@@ -87,7 +88,7 @@ PUADEM_CLONES ContactWork grain_blocks(const GrainLoop& loop, int begin, int end
         resist_rolling(a, response, *loop.contact, loop.blocks->roll[to_size(b)], loop.roll_slot + lane_count * b, work);
       }
   }
-  return work;
+  if constexpr (full) *done = work;
 }
 
 struct WallLoop {
@@ -104,7 +105,7 @@ struct WallLoop {
 
 /// A plane is a body of infinite radius that does not turn: the normal stands, the lever is one.
 template <class Law, bool full>
-PUADEM_CLONES ContactWork wall_blocks(const WallLoop& loop, int begin, int end) {
+PUADEM_CLONES void wall_blocks(const WallLoop& loop, int begin, int end, ContactWork* done) {
   ContactWork work;
   const Wall& wall = *loop.wall;
   const LaneVec3 normal{broadcast(wall.normal.x), broadcast(wall.normal.y), broadcast(wall.normal.z)};
@@ -151,7 +152,7 @@ PUADEM_CLONES ContactWork wall_blocks(const WallLoop& loop, int begin, int end) 
         resist_rolling(a, response, *loop.contact, loop.blocks->roll[to_size(b)], loop.roll_slot + lane_count * b, work);
       }
   }
-  return work;
+  if constexpr (full) *done = work;
 }
 
 /// Force of the grains on wall w and stiffness of its contacts. Wall contacts are listed by identity, so
@@ -181,13 +182,12 @@ void update_forces(GrainSystem& s) {
                        &s.grain_contacts, s.slot.data(),         &s.contact,        roll_slot};
   const int blocks = s.grain_contacts.size();
   const int chunks = (blocks + blocks_per_chunk - 1) / blocks_per_chunk;
-  std::vector<ContactWork> work(full ? to_size(chunks) : 0);
+  std::vector<ContactWork> work(full ? to_size(chunks) + s.walls.size() : 0);
   parallel_for(
       chunks,
       [&](int chunk) {
         const int begin = chunk * blocks_per_chunk;
-        const ContactWork done = grain_blocks<Law, full>(loop, begin, std::min(begin + blocks_per_chunk, blocks));
-        if constexpr (full) work[to_size(chunk)] = done;
+        grain_blocks<Law, full>(loop, begin, std::min(begin + blocks_per_chunk, blocks), full ? &work[to_size(chunk)] : nullptr);
       },
       blocks < blocks_worth_threads ? blocks : 8);
   ContactSlot* wall_slot = s.slot.data() + lane_count * blocks;
@@ -196,7 +196,8 @@ void update_forces(GrainSystem& s) {
         s.record.data(), s.pairs.walls.data(), s.pairs.materials,
         s.time_step,     &s.walls[to_size(w)], &s.wall_contacts,
         wall_slot,       &s.contact,           roll_slot == nullptr ? nullptr : roll_slot + lane_count * blocks};
-    work.push_back(wall_blocks<Law, full>(wall_loop, s.wall_start[to_size(w)], s.wall_start[to_size(w) + 1]));
+    wall_blocks<Law, full>(wall_loop, s.wall_start[to_size(w)], s.wall_start[to_size(w) + 1],
+                           full ? &work[to_size(chunks + w)] : nullptr);
     sum_wall_force(s, w, wall_slot);
   }
   if (s.energy.is_kept)

@@ -35,11 +35,11 @@ struct MotionLoop {
 };
 
 /// Local damping takes a share of every component of the force that does work and adds it to one that
-/// is worked against (Cundall and Strack 1979).
-PUADEM_INLINE Lanes damped(const Lanes& acceleration, const Lanes& velocity, double dt, double damping) {
-  const Lanes power = acceleration * (velocity + 0.5 * dt * acceleration);
+/// is worked against (Cundall and Strack 1979). @param push  change of velocity in the step, undamped
+PUADEM_INLINE Lanes damped(const Lanes& push, const Lanes& velocity, double damping) {
+  const Lanes power = push * (velocity + 0.5 * push);
   const Lanes zero{};
-  return acceleration * (power > zero ? broadcast(1.0 - damping) : (power < zero ? broadcast(1.0 + damping) : broadcast(1.0)));
+  return push * (power > zero ? broadcast(1.0 - damping) : (power < zero ? broadcast(1.0 + damping) : broadcast(1.0)));
 }
 
 /// Tangent of half the angle turned in a step, along the axis; tan(x) / x in powers of x^2. The material stays.
@@ -70,12 +70,12 @@ PUADEM_INLINE Lanes sum_couples(const RollSlot* slot, const int* row, int begin,
 }
 
 PUADEM_CLONES Motion move_chunk(const MotionLoop& loop, int begin, int end) {
-  const Lanes in_space{1.0, 1.0, 1.0, 0.0};
   const double dt = loop.time_step;
+  const Lanes step{dt, dt, dt, 0.0};  // keeps what stands in the fourth place
   Motion motion;
   for (int k = begin; k < end; ++k) {
     const SlotSum sum = sum_slots(loop.slot, loop.row, loop.row_start[k], loop.row_start[k + 1]);
-    GrainRecord& r = loop.record[k];
+    GrainRecord r = loop.record[k];
     Lanes body = broadcast(r.drift[3]) * loop.gravity;
     if (loop.external != nullptr) {
       const Vec3& f = loop.external[loop.identity[k]];
@@ -83,23 +83,26 @@ PUADEM_CLONES Motion move_chunk(const MotionLoop& loop, int begin, int end) {
     }
     Lanes couple = broadcast(-r.place[3]) * sum.moment;
     if (loop.roll_slot != nullptr) couple += sum_couples(loop.roll_slot, loop.row, loop.row_start[k], loop.row_start[k + 1]);
-    const Lanes acceleration = in_space * ((sum.force + body) * broadcast(1.0 / r.drift[3]));
-    const Lanes angular = in_space * (couple * broadcast(1.0 / r.spin[3]));
+    const Lanes push = step * (sum.force + body) * broadcast(1.0 / r.drift[3]),
+                spin_push = step * couple * broadcast(1.0 / r.spin[3]);
     const Lanes field = loop.strain_rate * (r.place - loop.lower);
-    const Lanes change = dt * damped(acceleration, in_space * r.drift - field, dt, loop.damping);
-    const Lanes spin_change = dt * damped(angular, r.spin, dt, loop.damping);
+    Lanes change = push, spin_change = spin_push;
+    if (loop.damping > 0.0) {
+      change = damped(push, r.drift - field, loop.damping);
+      spin_change = damped(spin_push, r.spin, loop.damping);
+    }
     if (loop.keeps_energy) {  // with the mean of the velocities before and after, the balance of a step is exact
       const Lanes mean = r.drift + 0.5 * change, mean_spin = r.spin + 0.5 * spin_change;
-      motion.damping +=
-          r.drift[3] * dot3(dt * acceleration - change, mean) + r.spin[3] * dot3(dt * angular - spin_change, mean_spin);
+      motion.damping += r.drift[3] * dot3(push - change, mean) + r.spin[3] * dot3(spin_push - spin_change, mean_spin);
       motion.body += dt * dot3(body, mean);
     }
     r.drift += change;
     r.spin += spin_change;
-    const Lanes relative = in_space * r.drift - field;
-    r.place += dt * in_space * r.drift;
+    const Lanes relative = r.drift - field;
+    r.place += step * r.drift;
     r.turn = turn_of(r, dt);
-    const double speed2 = relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2];
+    loop.record[k] = r;
+    const double speed2 = dot3(relative, relative);
     motion.fastest = speed2 > motion.fastest || speed2 != speed2 ? speed2 : motion.fastest;
   }
   return motion;
@@ -120,8 +123,9 @@ void move_box(GrainSystem& s) {
       (is_upper(wall.face) ? s.domain.upper : s.domain.lower)[axis_of(wall.face)] = wall.point[axis_of(wall.face)];
   const double shortening = std::max({-s.box_rate.x / size.x, -s.box_rate.y / size.y, -s.box_rate.z / size.z, 0.0});
   const double other = s.motion.strain_with_box ? s.drift_limit : std::max(s.drift_limit, wall_speed);
-  // Reach of any two listed grains: the box is wider than four radii wherever it strains.
-  const double reach = 0.5 * std::min({size.x, size.y, size.z});
+  // How far apart two listed grains can be: where grains follow the box they are neighbours, and the box is
+  // wider than five radii; else an image moves with the whole box.
+  const double reach = s.motion.strain_with_box ? 0.5 * std::min({size.x, size.y, size.z}) : std::max({size.x, size.y, size.z});
   s.slack += s.time_step * (s.drift_limit + other + shortening * reach);
 }
 
