@@ -108,11 +108,18 @@ RunResults run_stages(const Case& c, State& state, const Observer& observer, Run
   return results;
 }
 
+/// Threads worth starting: a thread with few grains waits for the others at the end of every step, long where
+/// another program has its core.
+int useful_threads(int grains) {
+  constexpr int grains_of_a_thread = 5000;
+  return std::clamp(grains / grains_of_a_thread, 1, threads());
+}
+
 int run_case(const RunOptions& options) {
   const auto began = ProgressLine::Clock::now();
   CaseFile file = read_case(options.case_file, options.overrides);
-  set_threads(options.threads);
   State state = initial_state(file.c, file.warnings);
+  set_threads(options.threads > 0 ? options.threads : useful_threads(std::max(state.particles.size(), file.c.grains.count)));
   if (!options.quiet) print_warnings(file.warnings);
 
   std::optional<fs::path> output;
@@ -250,7 +257,7 @@ int dispatch(int argc, char** argv) {
         ->take_all();
   }
   run_verb->add_option("--output", options.output, "folder for the results; none: a new one in runs/");
-  run_verb->add_option("--threads", options.threads, "number of threads; 0: all. Results do not depend on it")
+  run_verb->add_option("--threads", options.threads, "number of threads; default: one for every 5,000 grains, as far as the machine has them. Results do not depend on it")
       ->check(CLI::Range(0, 4096));
   run_verb->add_flag("--quiet", options.quiet, "print errors only");
   run_verb->add_flag("--json", options.json, "print the results as JSON");
