@@ -1,4 +1,4 @@
-// Two bodies that meet head-on, against the closed forms of theory dem 5 to 8.
+// Two bodies that meet head-on, against the closed forms of theory 2.5 to 2.8.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,6 +99,24 @@ TEST(Restitution, IsTheOneAskedForWithBothLaws) {
       EXPECT_NEAR(collide(1e-3, 1.0, m, options, 1e-8).rebound, e, 2e-3)
           << (options.law == ContactOptions::Law::hertz_mindlin ? "Hertz" : "linear");
     }
+  }
+}
+
+TEST(Restitution, IsTheOneAskedForAtAWall) {
+  const Material m = test::material(1e8, 0.3, 2500);
+  const double radius = 1e-3;
+  for (const double e : {0.9, 0.5}) {
+    ContactOptions options;
+    options.restitution = e;
+    Domain box;
+    box.upper = {1e-2, 1e-2, 1e-2};
+    Particles p = make_particles(std::vector<Vec3>{{5e-3, 5e-3, radius}}, std::vector<double>{radius}, m);
+    p.velocity[0] = {0, 0, -1.0};
+    GrainSystem s = make_grain_system(p, box, std::span(&m, 1), options, {});
+    s.time_step = 1e-8;
+    do advance_grains(s, 1);
+    while (s.record[0].place[2] < radius);
+    EXPECT_NEAR(s.record[0].drift[2], e, 2e-3);
   }
 }
 

@@ -13,7 +13,7 @@
 
 namespace puadem::test {
 
-/// The contact model written out as in theory dem 1 to 10, pair by pair over all pairs, with matrices of rotation and
+/// The contact model written out as in theory 2.1 to 2.10, pair by pair over all pairs, with matrices of rotation and
 /// places of the step before. Nothing is shared with the engine. One material, Hertz-Mindlin, walls or
 /// periodic axes of a fixed box.
 struct SlowDem {

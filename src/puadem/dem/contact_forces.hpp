@@ -5,7 +5,7 @@
 namespace puadem {
 
 /// Forces of all contacts at the present places, written to the slots; the shear history advances by the
-/// displacement of the last step (theory dem 1 to 8). Images must be up to date. Sets force and
+/// displacement of the last step (theory 2.1 to 2.8). Images must be up to date. Sets force and
 /// stiffness of the walls. The same bits on any number of threads and however the list is sorted.
 void update_contact_forces(GrainSystem& system);
 

@@ -38,7 +38,7 @@ PUADEM_INLINE Frame follow_line(const LaneVec3& branch, const LaneVec3& displace
 }
 
 /// Turns a vector that lay across n_old with the contact: by the smallest rotation from n_old to n, then
-/// about n by the angle 2 atan(t). Exact for a rigid motion of the pair, theory dem 3.
+/// about n by the angle 2 atan(t). Exact for a rigid motion of the pair, theory 2.3.
 PUADEM_INLINE LaneVec3 turn_with_contact(const LaneVec3& h, const Frame& f, const Lanes& t) {
   const Lanes q = 0.25 * dot(f.change, f.change);  // 1 / (1 + n.n_old) = 1 / (2 - 2 q)
   const Lanes along = 0.5 * dot(h, f.normal) * (1.0 + q * (1.0 + q));
@@ -76,7 +76,7 @@ PUADEM_INLINE LaneVec3 masked(const LaneMask& mask, const LaneVec3& v) {
   return {mask ? v.x : zero, mask ? v.y : zero, mask ? v.z : zero};
 }
 
-/// Elastic-plastic moments against rolling and twisting, theory dem 9.
+/// Elastic-plastic moments against rolling and twisting, theory 2.9.
 PUADEM_INLINE void resist_rolling(const Approach& a, const ContactResponse<Lanes>& response, const ContactOptions& options,
                                   RollHistory& history, RollSlot* slot, ContactWork& work) {
   const LaneVec3& n = a.frame.normal;

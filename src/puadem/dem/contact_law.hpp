@@ -28,7 +28,7 @@ inline bool resists_rolling(const ContactOptions& o) { return o.rolling_friction
 
 /// What a law of contact gives: a normal force and two tangent stiffnesses as functions of the overlap.
 /// All else (slip, rotation of the history, Coulomb limit, viscous part) is the same for every law and
-/// stands once, in contact_forces.cpp. `damping_factor` is c / (beta sqrt(m* k_n)), theory dem 8.
+/// stands once, in contact_forces.cpp. `damping_factor` is c / (beta sqrt(m* k_n)), theory 2.8.
 template <class Law>
 concept ContactLaw = requires(const PairConstants<double>& pair, double length) {
   { Law::damping_factor } -> std::convertible_to<double>;

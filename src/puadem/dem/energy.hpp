@@ -4,7 +4,7 @@
 
 namespace puadem {
 
-/// Where the energy of a system is, and where it went since the book was opened [J], theory dem 16.
+/// Where the energy of a system is, and where it went since the book was opened [J], theory 2.16.
 struct Energies {
   double kinetic = 0.0;     ///< of translation and rotation at the present places
   double normal = 0.0;      ///< stored in normal springs

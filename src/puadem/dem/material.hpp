@@ -27,7 +27,7 @@ struct MaterialPairs {
   std::vector<PairConstants<double>> walls;   ///< a contact of material i with a wall
 };
 
-/// Table of pair constants, theory dem 5 to 8. Friction between grains is that of the smaller angle.
+/// Table of pair constants, theory 2.5 to 2.8. Friction between grains is that of the smaller angle.
 /// @throws InputError  a modulus, Poisson ratio, friction angle or restitution out of range
 MaterialPairs material_pairs(std::span<const Material> materials, const ContactOptions& options);
 

@@ -9,7 +9,7 @@ namespace puadem {
 /// static evaluation. Nothing happens where the forces are those of the present places already.
 void evaluate_forces(GrainSystem& system);
 
-/// One leap-frog step of `time_step` under the forces last evaluated (theory dem 9, 10), then the walls
+/// One leap-frog step of `time_step` under the forces last evaluated (theory 2.9, 2.10), then the walls
 /// and the box move.
 void move_grains(GrainSystem& system);
 
@@ -24,14 +24,14 @@ struct TimeStepLimit {
   bool rotation = false;  ///< its spin binds, not its translation
 };
 
-/// Critical time step from translation and rotation of every grain in its contacts, theory dem 11.
+/// Critical time step from translation and rotation of every grain in its contacts, theory 2.11.
 TimeStepLimit critical_time_step(const GrainSystem& system);
 
 /// Gives the box another rate of strain. With `strain_with_box` every grain takes the change of the
 /// homogeneous velocity field at its place; walls that stand for upper faces move with the box.
 void set_box_rate(GrainSystem& system, const Vec3& rate);
 
-/// Sets the velocity of every servo wall from its force, theory dem 12.
+/// Sets the velocity of every servo wall from its force, theory 2.12.
 void steer_walls(GrainSystem& system);
 
 }  // namespace puadem

@@ -94,7 +94,7 @@ struct Packing {
 /// A random cloud of the grading, without overlaps, at a solid fraction of 0.3.
 Packing random_cloud(const PackingSource& source, std::span<const Material> materials);
 
-/// A packing at rest under an isotropic stress (theory dem 15): a random cloud is strained with its box
+/// A packing at rest under an isotropic stress (theory 2.15): a random cloud is strained with its box
 /// until it carries the stress; the friction between grains, lowered step by step, brings the porosity
 /// down to the target and is then restored. Grain sizes are never changed.
 /// @throws InputError      a target that the grading, the friction or the count cannot reach, with the reachable value

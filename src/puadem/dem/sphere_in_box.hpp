@@ -7,7 +7,7 @@
 
 namespace puadem {
 
-/// Volume of the part of a sphere that lies inside the box, in closed form (theory dem 14). Faces of
+/// Volume of the part of a sphere that lies inside the box, in closed form (theory 2.14). Faces of
 /// periodic axes do not bound: there the whole sphere counts.
 /// @param centre  [m]
 /// @param radius  [m], > 0

@@ -10,7 +10,7 @@ using Tensor = std::array<Vec3, 3>;  ///< rows
 
 /// What a packing is like at the forces last evaluated. Compression positive.
 struct GrainMeasures {
-  Tensor stress{};                       ///< of the box, contacts with walls included [Pa], theory dem 13
+  Tensor stress{};                       ///< of the box, contacts with walls included [Pa], theory 2.13
   Tensor pair_stress{};                  ///< share of the contacts between grains [Pa]
   std::array<double, 6> wall_stress{};   ///< normal stress on the box's faces [Pa]; 0 on periodic ones
   double mean_stress = 0.0;              ///< third of the trace of `stress` [Pa]

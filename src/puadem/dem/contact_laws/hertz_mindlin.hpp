@@ -6,7 +6,7 @@
 namespace puadem {
 
 /// Hertz normal force and the no-slip shear stiffness of Mindlin, taken up in increments (Johnson 1985,
-/// Contact Mechanics, sections 4.2 and 7.2), theory dem 6.
+/// Contact Mechanics, sections 4.2 and 7.2), theory 2.6.
 struct HertzMindlin {
   static constexpr double damping_factor = 1.8257418583505537;  ///< 2 sqrt(5/6), Tsuji et al. 1992, Powder Technology 71, 239
   static constexpr double energy_share = 4.0 / 15.0;

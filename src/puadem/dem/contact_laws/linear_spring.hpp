@@ -6,7 +6,7 @@
 namespace puadem {
 
 /// Linear springs whose stiffness follows from moduli and radii (Cundall and Strack 1979, Geotechnique
-/// 29, 47), theory dem 5.
+/// 29, 47), theory 2.5.
 struct LinearSpring {
   static constexpr double damping_factor = 2.0;
   static constexpr double energy_share = 0.5;

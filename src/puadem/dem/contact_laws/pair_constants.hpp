@@ -2,7 +2,7 @@
 
 namespace puadem {
 
-/// What two touching bodies of given materials have in common, theory dem 5 and 6. T is double, or Lanes
+/// What two touching bodies of given materials have in common, theory 2.5 and 2.6. T is double, or Lanes
 /// for four contacts at once.
 template <class T>
 struct PairConstants {
