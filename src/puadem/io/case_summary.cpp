@@ -95,7 +95,7 @@ void describe_grains(const Case& c, const Basis& basis, CaseSummary& summary) {
 }
 
 /// Capillary pressures at which a random packing drains, as multiples of gamma cos(theta) / <r>: from
-/// 10 to 50 % air (theory 4).
+/// 10 to 50 % air (theory 5.4).
 std::pair<double, double> drainage_plateau(const EntryLaw& law) {
   return std::holds_alternative<Haines>(law) ? std::pair{5.5, 7.7} : std::pair{3.5, 5.0};
 }
@@ -127,7 +127,7 @@ void describe_fluids(const Case& c, const Basis& basis, CaseSummary& summary) {
 }
 
 /// Critical time step of a typical grain of the smallest size under the target stress: the mean contact
-/// force of a packing, its stiffness by the contact law, and the sums of theory dem 11.
+/// force of a packing, its stiffness by the contact law, and the sums of theory 2.11.
 std::string time_step_text(const Case& c, const CompactStage& stage, const Basis& basis) {
   const auto material = std::ranges::find(c.materials, c.grains.material, &Material::name);
   const MaterialPairs pairs = material_pairs(c.materials, c.contact);
