@@ -60,6 +60,7 @@ TEST(Triaxial, HoldsTheLateralStressOfACubicLattice) {
     EXPECT_NEAR(rows.back().stress.x, 20e3, 100);
     EXPECT_NEAR(rows.back().stress.y, 20e3, 100);
     EXPECT_GT(rows.back().deviator, 0.0);
+    EXPECT_NEAR(rows.back().deviator, rows.back().stress.z - 20e3, 100);
     EXPECT_NEAR(rows.back().volumetric, rows.back().strain.x + rows.back().strain.y + rows.back().strain.z, 1e-15);
     if (periodic) {
       // F / d_y d_z = 20 kPa with the box's present widths
