@@ -68,7 +68,7 @@ def lammps(folder):
 def puadem(threads):
     cores = "0" if threads == 1 else f"0-{threads - 1}"
     out = subprocess.run(["taskset", "-c", cores, program, packing, str(steps), str(threads)], text=True,
-                         capture_output=True, check=True, env={**os.environ, "OMP_WAIT_POLICY": "active"}).stdout
+                         capture_output=True, check=True, env={**os.environ, "OMP_WAIT_POLICY": "passive"}).stdout
     stress = float(re.findall(r"end: pair stress ([\d.]+)", out)[0])
     return float(re.search(r"threads: ([\d.]+) s", out).group(1)), stress
 
