@@ -10,7 +10,7 @@ namespace {
 
 constexpr int blocks_per_chunk = 64;
 constexpr int blocks_ahead = 4;             // whose records are asked for while a block is worked on
-constexpr int blocks_worth_threads = 4096;  // below, waking a thread costs more than it does
+constexpr int blocks_worth_threads = 6144;  // below, waking a thread costs more than it does
 
 struct GrainLoop {
   const GrainRecord* record;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr long guard_interval = 100;
 constexpr int grains_per_chunk = 512;
-constexpr int grains_worth_threads = 4096;  // below, waking a thread costs more than it does
+constexpr int grains_worth_threads = 8192;  // below, waking a thread costs more than it does
 
 struct MotionLoop {
   GrainRecord* record;
