@@ -53,7 +53,7 @@ struct VtpReader {
   template <class T>
   static std::vector<double> as(const char* from, std::size_t bytes) {
     std::vector<T> values(bytes / sizeof(T));
-    std::memcpy(values.data(), from, bytes);
+    if (!values.empty()) std::memcpy(values.data(), from, bytes);
     return {values.begin(), values.end()};
   }
 
