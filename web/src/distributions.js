@@ -35,6 +35,6 @@ export function distributionFigures(runs) {
   });
   return [
     one("pore", "Pore radii", "<i>R<sub>i</sub></i>", "a", "Radii of the pore units, by number, over the mean grain radius."),
-    one("throat", "Throat radii", "<i>R<sub>ij</sub></i>", "b", "Radii of the circles inscribed in the throats, by number, over the mean grain radius."),
+    one("throat", "Throat radii", "<i>r</i><sub>in</sub>", "b", "Radii of the circles inscribed in the throats, by number, over the mean grain radius."),
   ];
 }

@@ -62,12 +62,13 @@ export function retentionFigure(runs) {
     const small = window.innerWidth < 700;
     const data = traces(runs, unit, fits);
     const entries = data.filter((trace) => trace.showlegend !== false).length;
+    const above = !small && entries > 3;  // more would cover a plateau
     const look = small ? { height: 390 + 22 * entries } : {};  // a narrow figure has its legend below
     return {
       data,
       layout: layout(["Saturation <i>S</i> of the wetting fluid", { range: [-0.02, 1.02], dtick: small ? 0.2 : 0.1, tickformat: ".1f" }],
         [labels[unit], { rangemode: "tozero", tickformat: unit === "Pa" ? ",~r" : "~g" }],
-        { legend: { ...layout([""], [""]).legend, ...(small ? { orientation: "h", y: -0.2, yanchor: "top", x: 0 } : { x: 0.99, y: 0.985, xanchor: "right", yanchor: "top" }) }, margin: { l: small ? 56 : 70, r: 12, t: 10, b: small ? 66 + 22 * entries : 50 }, ...look }),
+        { legend: { ...layout([""], [""]).legend, ...(small ? { orientation: "h", y: -0.2, yanchor: "top", x: 0 } : above ? { orientation: "h", x: 0, y: 1.01, xanchor: "left", yanchor: "bottom" } : { x: 0.99, y: 0.985, xanchor: "right", yanchor: "top" }) }, margin: { l: small ? 56 : 70, r: 12, t: above ? 58 : 10, b: small ? 66 + 22 * entries : 50 }, ...look }),
     };
   };
   const series = () => [["run", "branch", "step", "pc_Pa", "pc_star", "saturation", "trapped_wetting", "trapped_nonwetting"],
