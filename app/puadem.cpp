@@ -258,7 +258,10 @@ int dispatch(int argc, char** argv) {
         ->take_all();
   }
   run_verb->add_option("--output", options.output, "folder for the results; none: a new one in runs/");
-  run_verb->add_option("--threads", options.threads, "number of threads; default: one for every 5,000 grains, as far as the machine has them. Results do not depend on it")
+  run_verb
+      ->add_option(
+          "--threads", options.threads,
+          "number of threads; default: one for every 5,000 grains, as far as the machine has them. Results do not depend on it")
       ->check(CLI::Range(0, 4096));
   run_verb->add_flag("--quiet", options.quiet, "print errors only");
   run_verb->add_flag("--json", options.json, "print the results as JSON");

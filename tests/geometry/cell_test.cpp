@@ -20,7 +20,8 @@ std::array<Site, 4> regular_tetrahedron() {  // FCC: four touching spheres of ra
 
 std::array<Site, 4> bcc_tetrahedron() {  // two cube centres, two corners of the edge between them
   const double a = 4 / std::sqrt(3.0);
-  return {Site::grain({0, 0, 0}, 1), Site::grain({a, 0, 0}, 1), Site::grain({a / 2, a / 2, a / 2}, 1), Site::grain({a / 2, a / 2, -a / 2}, 1)};
+  return {Site::grain({0, 0, 0}, 1), Site::grain({a, 0, 0}, 1), Site::grain({a / 2, a / 2, a / 2}, 1),
+          Site::grain({a / 2, a / 2, -a / 2}, 1)};
 }
 
 }  // namespace
@@ -39,7 +40,8 @@ TEST(Cell, FaceCentredOctahedronFromItsQuarters) {
   // Six spheres around a hole, cut into four tetrahedra along one diagonal.
   const double s = std::sqrt(2.0);
   const Site top = Site::grain({0, 0, s}, 1), bottom = Site::grain({0, 0, -s}, 1);
-  const std::array<Site, 4> ring{Site::grain({s, 0, 0}, 1), Site::grain({0, s, 0}, 1), Site::grain({-s, 0, 0}, 1), Site::grain({0, -s, 0}, 1)};
+  const std::array<Site, 4> ring{Site::grain({s, 0, 0}, 1), Site::grain({0, s, 0}, 1), Site::grain({-s, 0, 0}, 1),
+                                 Site::grain({0, -s, 0}, 1)};
   double volume = 0, space = 0;
   for (unsigned k = 0; k < 4; ++k) {
     const std::array<Site, 4> quarter{top, bottom, ring[k], ring[(k + 1) % 4]};
@@ -52,7 +54,8 @@ TEST(Cell, FaceCentredOctahedronFromItsQuarters) {
 }
 
 TEST(Cell, SimpleCubicInsphere) {
-  EXPECT_NEAR(*inscribed_sphere_radius({Site::grain({0, 0, 0}, 1), Site::grain({2, 0, 0}, 1), Site::grain({0, 2, 0}, 1), Site::grain({0, 0, 2}, 1)}),
+  EXPECT_NEAR(*inscribed_sphere_radius(
+                  {Site::grain({0, 0, 0}, 1), Site::grain({2, 0, 0}, 1), Site::grain({0, 2, 0}, 1), Site::grain({0, 0, 2}, 1)}),
               std::sqrt(3.0) - 1, 1e-14);
 }
 
@@ -68,7 +71,8 @@ TEST(Cell, BodyCentredTetrahedronAndFacet) {
 }
 
 TEST(Cell, PowerCentreHasEqualPowerAndLiesOnItsWalls) {
-  const std::array<Site, 4> grains{Site::grain({0, 0, 0}, 1), Site::grain({2.2, 0.1, 0}, 0.7), Site::grain({1, 2, 0.2}, 1.1), Site::grain({0.8, 0.6, 1.9}, 0.5)};
+  const std::array<Site, 4> grains{Site::grain({0, 0, 0}, 1), Site::grain({2.2, 0.1, 0}, 0.7), Site::grain({1, 2, 0.2}, 1.1),
+                                   Site::grain({0.8, 0.6, 1.9}, 0.5)};
   const Vec3 c = *power_centre(grains);
   const double power = squared_norm(c - grains[0].centre) - 1.0;
   for (const Site& g : grains) EXPECT_NEAR(squared_norm(c - g.centre) - g.radius * g.radius, power, 1e-13);

@@ -62,7 +62,8 @@ TEST(MayerStowePrincen, WideEdgesAndNoSolution) {
 
 TEST(MayerStowePrincen, ContactAngle) {
   const ThroatSection s = throat_section(triple_of(2.0));
-  const std::pair<double, double> expected[] = {{10, 11.2206}, {20, 10.8975}, {30, 10.3193}, {40, 9.4645}, {45, 8.9287}, {50, 8.3188}};
+  const std::pair<double, double> expected[] = {{10, 11.2206}, {20, 10.8975}, {30, 10.3193},
+                                                {40, 9.4645},  {45, 8.9287},  {50, 8.3188}};
   for (const auto& [angle, pressure] : expected) EXPECT_NEAR(entry_pressure(s, angle * degree), pressure, 0.6e-4) << angle;
 }
 
@@ -77,7 +78,8 @@ TEST(MayerStowePrincen, UnequalTouchingSpheres) {
 }
 
 TEST(MayerStowePrincen, SquareWindowOfFourSpheres) {
-  const std::array<Site, 4> window{Site::grain({0, 0, 0}, 1), Site::grain({2, 0, 0}, 1), Site::grain({2, 2, 0}, 1), Site::grain({0, 2, 0}, 1)};
+  const std::array<Site, 4> window{Site::grain({0, 0, 0}, 1), Site::grain({2, 0, 0}, 1), Site::grain({2, 2, 0}, 1),
+                                   Site::grain({0, 2, 0}, 1)};
   const ThroatSection s = grain_window_section(window);
   EXPECT_NEAR(s.inscribed_radius, std::sqrt(2.0) - 1.0, 1e-14);
   EXPECT_NEAR(MayerStowePrincen{}.entry(s, 0.0).radius, 0.222596, 0.6e-6);
@@ -114,8 +116,10 @@ TEST(MayerStowePrincen, WallIsAGrainOfInfiniteRadius) {
     double last = 1.0;
     for (const double big : {1e2, 1e3, 1e4}) {
       const std::array<Site, 3> sphere{Site::grain({-1, std::sqrt((1 + big) * (1 + big) - 1) - big, 0}, 1),
-                                       Site::grain({1, std::sqrt((1 + big) * (1 + big) - 1) - big, 0}, 1), Site::grain({0, -big, 0}, big)};
-      const double difference = std::abs(entry_pressure(throat_section(sphere), theta) / entry_pressure(throat_section(wall), theta) - 1);
+                                       Site::grain({1, std::sqrt((1 + big) * (1 + big) - 1) - big, 0}, 1),
+                                       Site::grain({0, -big, 0}, big)};
+      const double difference =
+          std::abs(entry_pressure(throat_section(sphere), theta) / entry_pressure(throat_section(wall), theta) - 1);
       EXPECT_LT(difference, 3.0 / big);
       EXPECT_LT(difference, last);
       last = difference;
@@ -143,8 +147,9 @@ TEST(MayerStowePrincen, CornerOfTwoWalls) {
 // At entry the menisci are in equilibrium: virtual changes of their radius do no work.
 TEST(CornerMeniscus, IsInEquilibriumAtEveryContactAngle) {
   for (const double theta : {0.0, 15 * degree, 35 * degree}) {
-    for (const auto& sites : {triple_of(2.1), touching(1.0, 0.8, 0.5),
-                              std::array<Site, 3>{Site::grain({-1, 1.05, 0}, 1), Site::grain({1.1, 1, 0}, 1), Site::wall({0, -1, 0}, 0)}}) {
+    for (const auto& sites :
+         {triple_of(2.1), touching(1.0, 0.8, 0.5),
+          std::array<Site, 3>{Site::grain({-1, 1.05, 0}, 1), Site::grain({1.1, 1, 0}, 1), Site::wall({0, -1, 0}, 0)}}) {
       const ThroatSection s = throat_section(sites);
       const double r0 = 0.4 * s.inscribed_radius + 0.06, h = 1e-5 * r0;
       const auto work = [&](double r) {
@@ -158,7 +163,8 @@ TEST(CornerMeniscus, IsInEquilibriumAtEveryContactAngle) {
 
 TEST(ThroatEntry, ScalesWithTheUnitOfLength) {
   const auto scaled = [](double s) {
-    return throat_section({Site::grain({0, 0, 0}, s), Site::grain({2.1 * s, 0, 0}, 0.8 * s), Site::grain({0.9 * s, 2.0 * s, 0.3 * s}, 1.1 * s)});
+    return throat_section(
+        {Site::grain({0, 0, 0}, s), Site::grain({2.1 * s, 0, 0}, 0.8 * s), Site::grain({0.9 * s, 2.0 * s, 0.3 * s}, 1.1 * s)});
   };
   EXPECT_NEAR(entry_pressure(scaled(1e-6)) * 1e-6, entry_pressure(scaled(1.0)), 1e-12 * entry_pressure(scaled(1.0)));
   EXPECT_NEAR(snap_off_radius(scaled(1e-6), 0.3) / 1e-6, snap_off_radius(scaled(1.0), 0.3), 1e-10);

@@ -1,3 +1,5 @@
+#include "puadem/io/case_file.hpp"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +12,6 @@
 #include <set>
 
 #include "puadem/base/error.hpp"
-#include "puadem/io/case_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace puadem {

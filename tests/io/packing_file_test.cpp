@@ -1,3 +1,5 @@
+#include "puadem/io/packing_file.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 #include "puadem/base/error.hpp"
 #include "puadem/base/parallel.hpp"
 #include "puadem/base/random.hpp"
-#include "puadem/io/packing_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace puadem {

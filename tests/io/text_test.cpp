@@ -1,10 +1,11 @@
+#include "puadem/io/text.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "puadem/base/error.hpp"
-#include "puadem/io/text.hpp"
 #include "puadem/io/text_file.hpp"
 #include "support/temporary_folder.hpp"
 

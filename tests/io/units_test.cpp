@@ -1,3 +1,5 @@
+#include "puadem/io/units.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +10,6 @@
 #include <vector>
 
 #include "puadem/base/random.hpp"
-#include "puadem/io/units.hpp"
 
 namespace puadem {
 namespace {

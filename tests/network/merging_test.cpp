@@ -62,14 +62,16 @@ std::vector<int> brute_force(const Problem& p, const MergeOptions& options) {
       if (exact <= options.ratio) continue;
       const auto ratio = static_cast<float>(exact);
       for (const int u : {a, b})
-        if (!worst.contains(u) || ratio > worst[u].first || (ratio == worst[u].first && p.area[to_size(f)] > p.area[to_size(worst[u].second)]))
+        if (!worst.contains(u) || ratio > worst[u].first ||
+            (ratio == worst[u].first && p.area[to_size(f)] > p.area[to_size(worst[u].second)]))
           worst[u] = {ratio, f};
     }
     std::vector<std::pair<int, int>> pairs;
     for (const auto& [u, w] : worst) {
       const Facet& f = p.facets[to_size(w.second)];
       const int a = unit[to_size(f.cell)], b = unit[to_size(f.neighbour)];
-      if (u == std::min(a, b) && worst[a].second == w.second && worst[b].second == w.second) pairs.emplace_back(std::minmax(a, b));
+      if (u == std::min(a, b) && worst[a].second == w.second && worst[b].second == w.second)
+        pairs.emplace_back(std::minmax(a, b));
     }
     if (pairs.empty()) return unit;
     for (const auto& [keep, gone] : pairs)
@@ -114,7 +116,8 @@ TEST(Merging, LeavesNoThroatWiderThanAllowedUnlessTheUnitIsFull) {
   for (const Facet& f : p.facets)
     if (m.unit[to_size(f.cell)] == m.unit[to_size(f.neighbour)]) faces[to_size(m.unit[to_size(f.cell)])] -= 2;
   for (int f = 0; f < size_of(p.facets); ++f) {
-    const auto a = to_size(m.unit[to_size(p.facets[to_size(f)].cell)]), b = to_size(m.unit[to_size(p.facets[to_size(f)].neighbour)]);
+    const auto a = to_size(m.unit[to_size(p.facets[to_size(f)].cell)]),
+               b = to_size(m.unit[to_size(p.facets[to_size(f)].neighbour)]);
     if (a == b || cells[a] + cells[b] > options.limit) continue;
     const auto radius = [&](std::size_t u) { return inscribed_radius_coefficient(faces[u]) * std::cbrt(volume[u]); };
     EXPECT_LE(p.wide[to_size(f)] / std::min(radius(a), radius(b)), options.ratio);
@@ -145,7 +148,8 @@ TEST(Merging, KeepsTrackOfPeriodicImages) {
 
 TEST(PoreShape, RegularPolyhedra) {
   const std::map<int, double> expected{{4, 0.4163}, {6, 0.5}, {8, 0.5246}, {12, 0.5648}, {20, 0.5827}};
-  for (const auto& [faces, coefficient] : expected) EXPECT_NEAR(inscribed_radius_coefficient(faces), coefficient, 0.6e-4) << faces;
+  for (const auto& [faces, coefficient] : expected)
+    EXPECT_NEAR(inscribed_radius_coefficient(faces), coefficient, 0.6e-4) << faces;
   for (int n = 4; n < 200; ++n) EXPECT_LE(inscribed_radius_coefficient(n), inscribed_radius_coefficient(n + 1));
   EXPECT_LE(inscribed_radius_coefficient(100000), 0.605);
 }

@@ -98,7 +98,8 @@ TEST(PoreNetwork, DescribesEveryThroatConsistently) {
     EXPECT_LE(n.throat_entry_radius[to_size(t)], n.throat_radius[to_size(t)] * (1 + 1e-12));
     const auto& shift = n.throat_shift[to_size(t)];
     EXPECT_EQ(shift[1], 0);  // walls along y
-    const Vec3 across = n.pore_centre[to_size(j)] + Vec3{shift[0] * period.x, shift[1] * period.y, shift[2] * period.z} - n.pore_centre[to_size(i)];
+    const Vec3 across = n.pore_centre[to_size(j)] + Vec3{shift[0] * period.x, shift[1] * period.y, shift[2] * period.z} -
+                        n.pore_centre[to_size(i)];
     backwards += dot(across, n.throat_normal[to_size(t)]) < 0;
     EXPECT_LT(norm(across), 1.0);
   }

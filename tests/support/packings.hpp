@@ -68,7 +68,8 @@ inline Spheres random_spheres(int count, double ratio, Vec3 size, std::array<boo
     const double r = raw * scale;
     for (;;) {
       Vec3 c;
-      for (int a = 0; a < 3; ++a) c[a] = periodic[static_cast<unsigned>(a)] ? random.uniform(0.0, size[a]) : random.uniform(r, size[a] - r);
+      for (int a = 0; a < 3; ++a)
+        c[a] = periodic[static_cast<unsigned>(a)] ? random.uniform(0.0, size[a]) : random.uniform(r, size[a] - r);
       bool free = true;
       for (std::size_t k = 0; k < s.centre.size() && free; ++k) {
         Vec3 d = c - s.centre[k];

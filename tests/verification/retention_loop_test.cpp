@@ -41,7 +41,8 @@ TEST(RetentionLoop, OfPackedBeads) {
   ASSERT_GT(high, low);
   for (int k = 0; k <= 20; ++k) {
     const double s = low + (high - low) * k / 20;
-    const auto down = capillary_pressure_at(drainage, s), up = capillary_pressure_at(imbibition, s), again = capillary_pressure_at(second, s);
+    const auto down = capillary_pressure_at(drainage, s), up = capillary_pressure_at(imbibition, s),
+               again = capillary_pressure_at(second, s);
     ASSERT_TRUE(down && up && again) << s;
     EXPECT_LT(*up, *again) << s;
     EXPECT_LT(*again, *down) << s;

@@ -21,8 +21,8 @@ namespace puadem {
 
 /// The box. Either `size`, or a `shape` whose size follows from count, grading and porosity.
 struct DomainOptions {
-  std::optional<Vec3> size;              ///< edge lengths [m]
-  Vec3 shape{1, 1, 1};                   ///< proportions [-], used where size is not given
+  std::optional<Vec3> size;  ///< edge lengths [m]
+  Vec3 shape{1, 1, 1};       ///< proportions [-], used where size is not given
   std::array<bool, 3> periodic{false, false, false};
 };
 
@@ -37,17 +37,17 @@ struct GrainOptions {
 /// Stage "compact": a random cloud becomes a packing at rest under an isotropic stress.
 struct CompactStage {
   enum class Region { core, box };
-  double stress = 10e3;                 ///< target mean stress [Pa]
-  std::optional<double> porosity;       ///< target porosity [-]; none: whatever the friction gives
+  double stress = 10e3;                   ///< target mean stress [Pa]
+  std::optional<double> porosity;         ///< target porosity [-]; none: whatever the friction gives
   Region porosity_region = Region::core;  ///< core: farther than one largest diameter from every wall
-  double unbalanced = 1e-3;             ///< unbalanced force ratio at which the packing is at rest [-]
-  double damping = 0.4;                 ///< Cundall damping [-]
+  double unbalanced = 1e-3;               ///< unbalanced force ratio at which the packing is at rest [-]
+  double damping = 0.4;                   ///< Cundall damping [-]
 };
 
 /// Stage "retention": capillary pressure steps, each to equilibrium, grains fixed.
 struct RetentionStage {
-  std::vector<double> path;             ///< turning points of the capillary pressure [Pa]
-  double step = 100.0;                  ///< output step along the path [Pa]
+  std::vector<double> path;  ///< turning points of the capillary pressure [Pa]
+  double step = 100.0;       ///< output step along the path [Pa]
   InvasionOptions invasion;
 };
 
@@ -56,12 +56,12 @@ using Stage = std::variant<CompactStage, RetentionStage>;
 /// A curve or a finished result to draw beside this run's in the report.
 struct Overlay {
   std::string label;
-  std::filesystem::path folder;         ///< holds retention.csv and distributions.csv, or a run folder
+  std::filesystem::path folder;  ///< holds retention.csv and distributions.csv, or a run folder
 };
 
 struct OutputOptions {
-  bool fields = true;                   ///< write VTP files
-  int fields_every = 1;                 ///< in equilibria of a retention stage
+  bool fields = true;    ///< write VTP files
+  int fields_every = 1;  ///< in equilibria of a retention stage
 };
 
 /// A bound on a named result, checked at the end of a run.

@@ -12,12 +12,12 @@ namespace puadem {
 
 /// Where a run stands, for a progress line.
 struct Progress {
-  std::string_view stage;     ///< "compact", "network", "retention"
-  double fraction = 0.0;      ///< of the stage, in [0, 1], as well as it is known
+  std::string_view stage;  ///< "compact", "network", "retention"
+  double fraction = 0.0;   ///< of the stage, in [0, 1], as well as it is known
   long step = 0;
-  double time = 0.0;          ///< [s] simulated
-  double saturation = 1.0;    ///< S_r [-]
-  double unbalanced = 0.0;    ///< unbalanced force ratio [-]
+  double time = 0.0;                ///< [s] simulated
+  double saturation = 1.0;          ///< S_r [-]
+  double unbalanced = 0.0;          ///< unbalanced force ratio [-]
   double capillary_pressure = 0.0;  ///< [Pa]
   double stress = 0.0;              ///< mean stress of the grains [Pa]
   double porosity = 0.0;            ///< of the region a compaction aims at [-]
@@ -28,14 +28,14 @@ struct Progress {
 struct Observer {
   std::function<bool(const Progress&)> progress;
   std::function<void(std::string_view)> message;
-  std::function<void(const State&)> packed;                              ///< the packing is at rest and, where a stage needs one, its network is made
-  std::function<void(const State&, const RetentionRow&)> equilibrium;    ///< one retention row is reached
-  std::function<void(const State&, const InvasionEvent&)> event;         ///< one invasion event has happened
+  std::function<void(const State&)> packed;  ///< the packing is at rest and, where a stage needs one, its network is made
+  std::function<void(const State&, const RetentionRow&)> equilibrium;  ///< one retention row is reached
+  std::function<void(const State&, const InvasionEvent&)> event;       ///< one invasion event has happened
 };
 
 /// Fluid volumes that a stage moved, summed event by event, against what the state holds.
 struct Ledger {
-  double void_volume = 0;        ///< of the counted pores [m3]
+  double void_volume = 0;                                                                  ///< of the counted pores [m3]
   double wetting_start = 0, wetting_in = 0, wetting_out = 0, wetting_end = 0;              ///< [m3]
   double nonwetting_start = 0, nonwetting_in = 0, nonwetting_out = 0, nonwetting_end = 0;  ///< [m3]
   /// (start + in - out - end) / void [-].
@@ -47,7 +47,7 @@ struct Ledger {
 struct RunResults {
   std::map<std::string, double> scalars;  ///< "porosity_core", "pc_star_half_drainage-1", ...
   Ledger ledger;
-  bool interrupted = false;               ///< the observer asked to stop before the end
+  bool interrupted = false;  ///< the observer asked to stop before the end
 };
 
 /// All stages of a case.

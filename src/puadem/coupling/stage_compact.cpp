@@ -8,7 +8,8 @@
 namespace puadem {
 
 void run_compact_stage(const Case& c, const CompactStage& stage, State& state, const Observer& observer, RunResults& results) {
-  require(state.particles.size() == 0, "a stage of kind 'compact' makes its grains itself: it must come first and not with grains.file");
+  require(state.particles.size() == 0,
+          "a stage of kind 'compact' makes its grains itself: it must come first and not with grains.file");
   const auto material = std::ranges::find(c.materials, c.grains.material, &Material::name);
   require(material != c.materials.end(), "no material \"{}\" for the grains", c.grains.material);
 
@@ -23,7 +24,8 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   CompactionOptions options;
   options.stress = stage.stress;
   options.porosity = stage.porosity;
-  options.region = stage.porosity_region == CompactStage::Region::core ? CompactionOptions::Region::core : CompactionOptions::Region::box;
+  options.region =
+      stage.porosity_region == CompactStage::Region::core ? CompactionOptions::Region::core : CompactionOptions::Region::box;
   options.unbalanced = stage.unbalanced;
   options.damping = stage.damping;
 
@@ -55,7 +57,8 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   s["dem_time_step_s"] = r.time_step;
   s["dem_steps"] = static_cast<double>(r.steps);
 
-  const bool network_follows = std::ranges::any_of(c.stages, [](const Stage& next) { return std::holds_alternative<RetentionStage>(next); });
+  const bool network_follows =
+      std::ranges::any_of(c.stages, [](const Stage& next) { return std::holds_alternative<RetentionStage>(next); });
   if (!network_follows && observer.packed) observer.packed(state);
 }
 
@@ -75,7 +78,8 @@ void describe_packing(const State& state, RunResults& results) {
   s["porosity_box"] = porosity_of(state.particles.position, radius, state.domain);
   const Vec3 size = state.domain.size();
   bool has_core = true;  // farther than one largest diameter from every wall
-  for (int axis = 0; axis < 3; ++axis) has_core = has_core && (state.domain.periodic[to_size(axis)] || size[axis] > 4.0 * largest);
+  for (int axis = 0; axis < 3; ++axis)
+    has_core = has_core && (state.domain.periodic[to_size(axis)] || size[axis] > 4.0 * largest);
   if (has_core) s["porosity_core"] = porosity_of(state.particles.position, radius, core_of(state.domain, 2.0 * largest));
   for (int axis = 0; axis < 3; ++axis) s[std::string("box_") + "xyz"[axis] + "_m"] = size[axis];
 }

@@ -26,11 +26,14 @@ void describe_network(const PoreNetwork& network, const InvasionState& invasion,
   s["tetrahedra"] = network.triangulation.cells();
   s["pores"] = network.pores();
   s["throats"] = network.throats();
-  s["pores_reservoir"] = network.pores() - static_cast<int>(std::ranges::count_if(
-                                               std::views::iota(0, network.pores()), [&](int p) { return !invasion.is_reservoir(p); }));
+  s["pores_reservoir"] =
+      network.pores() - static_cast<int>(std::ranges::count_if(std::views::iota(0, network.pores()),
+                                                               [&](int p) { return !invasion.is_reservoir(p); }));
   s["void_counted_m3"] = invasion.void_volume;
-  for (const auto& [name, kind] : {std::pair{"throats_meniscus", EntryKind::meniscus}, {"throats_wide_edge", EntryKind::wide_edge},
-                                   {"throats_half_gap", EntryKind::half_gap}, {"throats_inscribed", EntryKind::inscribed},
+  for (const auto& [name, kind] : {std::pair{"throats_meniscus", EntryKind::meniscus},
+                                   {"throats_wide_edge", EntryKind::wide_edge},
+                                   {"throats_half_gap", EntryKind::half_gap},
+                                   {"throats_inscribed", EntryKind::inscribed},
                                    {"throats_closed", EntryKind::closed}})
     s[name] = static_cast<double>(std::ranges::count(network.throat_entry_kind, kind));
 }
@@ -60,8 +63,10 @@ void describe_curves(const std::vector<RetentionRow>& rows, RunResults& results)
 
 }  // namespace
 
-void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer, RunResults& results) {
-  require(state.particles.size() > 0, "a retention stage needs a packing: put a stage of kind 'compact' before it or name a packing file in grains.file");
+void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer,
+                         RunResults& results) {
+  require(state.particles.size() > 0,
+          "a retention stage needs a packing: put a stage of kind 'compact' before it or name a packing file in grains.file");
   const auto report = [&](std::string_view name, double fraction, double pressure, double saturation) {
     Progress progress;
     progress.stage = name;
@@ -118,7 +123,8 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   results.ledger.nonwetting_end = counted_sum(invasion, nonwetting);
   results.scalars["ledger_wetting_error"] = results.ledger.wetting_error();
   results.scalars["ledger_nonwetting_error"] = results.ledger.nonwetting_error();
-  constexpr std::array names{"drain", "open_throat", "fill", "snap_off", "trap_wetting", "trap_nonwetting", "free_wetting", "free_nonwetting"};
+  constexpr std::array names{"drain",        "open_throat",     "fill",         "snap_off",
+                             "trap_wetting", "trap_nonwetting", "free_wetting", "free_nonwetting"};
   for (std::size_t k = 0; k < names.size(); ++k) results.scalars[std::string("events_") + names[k]] = events[k];
   describe_curves(state.retention, results);
 }

@@ -14,13 +14,13 @@ namespace puadem {
 /// A simulation: plain values, so that saving, copying and comparing it is saving, copying and
 /// comparing a value.
 struct State {
-  double time = 0.0;                 ///< [s]
+  double time = 0.0;  ///< [s]
   Domain domain;
   Particles particles;
-  PoreNetwork network;               ///< empty until a stage needs it
+  PoreNetwork network;                    ///< empty until a stage needs it
   std::optional<InvasionState> invasion;  ///< both fluids in the network, once a retention stage has begun
-  std::vector<double> saturation;    ///< per pore, wetting fluid [-]
-  std::vector<RetentionRow> retention;  ///< equilibria so far
+  std::vector<double> saturation;         ///< per pore, wetting fluid [-]
+  std::vector<RetentionRow> retention;    ///< equilibria so far
 };
 
 }  // namespace puadem

@@ -48,15 +48,14 @@ struct Staircase {
       step(depth + 1, grain + 1, on_walls, next, corner, visit);
     }
     for (int w = 0; w < wall_count; ++w)
-      if (!(on_walls >> w & 1u)) step(depth + 1, grain, on_walls | 1u << w, foot(at, *walls[static_cast<unsigned>(w)]), corner, visit);
+      if (!(on_walls >> w & 1u))
+        step(depth + 1, grain, on_walls | 1u << w, foot(at, *walls[static_cast<unsigned>(w)]), corner, visit);
   }
 
   static Vec3 foot(const Vec3& x, const Site& wall) { return x + (wall.offset - dot(wall.normal, x)) * wall.normal; }
 };
 
-double tetrahedron_volume(const std::array<Vec3, 4>& p) {
-  return std::abs(triple(p[1] - p[0], p[2] - p[0], p[3] - p[0])) / 6.0;
-}
+double tetrahedron_volume(const std::array<Vec3, 4>& p) { return std::abs(triple(p[1] - p[0], p[2] - p[0], p[3] - p[0])) / 6.0; }
 
 /// Index of the first grain of a cell.
 template <std::size_t N>
@@ -129,9 +128,10 @@ std::optional<Vec3> power_centre(const std::array<Site, 4>& sites) {
     if (k == first) continue;
     const Site& site = sites[k];
     rows[row] = edge_from(origin, site);
-    rhs[row++] = site.is_wall ? distance_to_wall(origin, site)
-                              : 0.5 * (squared_norm(site.centre - origin.centre) + origin.radius * origin.radius -
-                                       site.radius * site.radius);
+    rhs[row++] =
+        site.is_wall
+            ? distance_to_wall(origin, site)
+            : 0.5 * (squared_norm(site.centre - origin.centre) + origin.radius * origin.radius - site.radius * site.radius);
   }
   const auto offset = solve(rows, rhs);
   if (!offset) return std::nullopt;

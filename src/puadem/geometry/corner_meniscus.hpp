@@ -8,8 +8,8 @@ namespace puadem {
 /// (theory 3.4). Negative values are meant: a meniscus wider than its crevice reaches past the edge of
 /// the facet.
 struct CornerMeniscus {
-  double area = 0.0;    ///< of the wetting fluid [m2]
-  double angle = 0.0;   ///< opening of the arc [rad]; its length is r times this
+  double area = 0.0;          ///< of the wetting fluid [m2]
+  double angle = 0.0;         ///< opening of the arc [rad]; its length is r times this
   double wetted_first = 0.0;  ///< solid wetted on side k [m]
   double wetted_next = 0.0;   ///< solid wetted on the next side [m]
 };

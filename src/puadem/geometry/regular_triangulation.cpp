@@ -45,7 +45,8 @@ struct SnappedSpheres {
     const auto snap = [&](double x) { return std::nearbyint(x * scale * grid) / grid; };
     centre.reserve(centres.size());
     weight.reserve(radii.size());
-    for (const Vec3& c : centres) centre.push_back({snap(c.x - domain.lower.x), snap(c.y - domain.lower.y), snap(c.z - domain.lower.z)});
+    for (const Vec3& c : centres)
+      centre.push_back({snap(c.x - domain.lower.x), snap(c.y - domain.lower.y), snap(c.z - domain.lower.z)});
     for (const double r : radii) weight.push_back(r * scale * (r * scale));
     period = {snap(size.x), snap(size.y), snap(size.z)};
   }
@@ -163,8 +164,9 @@ class Builder {
   }
 
   Site site(const Vertex& v) const {
-    if (v.is_wall()) return Site::wall(outward_normal(v.face()), is_upper(v.face()) ? domain_.face_position(v.face())
-                                                                                     : -domain_.face_position(v.face()));
+    if (v.is_wall())
+      return Site::wall(outward_normal(v.face()),
+                        is_upper(v.face()) ? domain_.face_position(v.face()) : -domain_.face_position(v.face()));
     const Vec3 size = domain_.size();
     const Vec3 move{v.shift[0] * size.x, v.shift[1] * size.y, v.shift[2] * size.z};
     return Site::grain(centre_[to_size(v.index)] + move, radius_[to_size(v.index)]);
@@ -224,7 +226,8 @@ class Builder {
     for (int i = 0; i < size_of(radius_); ++i) {
       const Vec3& c = centre_[to_size(i)];
       require(seen[to_size(i)],
-              "grain {} at ({:g}, {:g}, {:g}) m is hidden: a neighbour at the same place or swallowing it leaves it no space of its own; "
+              "grain {} at ({:g}, {:g}, {:g}) m is hidden: a neighbour at the same place or swallowing it leaves it no space of "
+              "its own; "
               "remove it or reduce the overlap",
               i, c.x, c.y, c.z);
     }
@@ -269,7 +272,8 @@ class Builder {
         const auto found = std::lower_bound(kept.begin(), kept.end(), image.vertices,
                                             [](const Kept& a, const CellVertices& key) { return a.vertices < key; });
         ensure(found != kept.end() && found->vertices == image.vertices,
-               "the triangulation is not periodic near grain {}: two images of the same grains were cut differently", vertices[3].index);
+               "the triangulation is not periodic near grain {}: two images of the same grains were cut differently",
+               vertices[3].index);
         neighbour = {static_cast<int>(found - kept.begin()), image.shift};
       }
     }

@@ -13,8 +13,8 @@ namespace puadem {
 
 /// A vertex of the triangulation: a grain, one of its periodic images, or a wall of the box.
 struct Vertex {
-  int index = 0;                          ///< grain >= 0; wall face f as -1 - f
-  std::array<std::int8_t, 3> shift{};     ///< the grain is moved by this many periods along each axis
+  int index = 0;                       ///< grain >= 0; wall face f as -1 - f
+  std::array<std::int8_t, 3> shift{};  ///< the grain is moved by this many periods along each axis
 
   constexpr bool is_wall() const { return index < 0; }
   constexpr int face() const { return -1 - index; }
@@ -31,8 +31,8 @@ struct Vertex {
 struct Triangulation {
   /// Where facet k of a cell (opposite vertex k) leads.
   struct Neighbour {
-    int cell = -1;                        ///< -1: out of the box, through a wall
-    std::array<std::int8_t, 3> shift{};   ///< the neighbour is moved by this many periods
+    int cell = -1;                       ///< -1: out of the box, through a wall
+    std::array<std::int8_t, 3> shift{};  ///< the neighbour is moved by this many periods
     constexpr bool operator==(const Neighbour&) const = default;
   };
   std::vector<std::array<Vertex, 4>> vertices;

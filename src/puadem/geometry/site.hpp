@@ -7,11 +7,11 @@ namespace puadem {
 /// A vertex of a cell as geometry sees it: a grain, or a plane wall that stands for a grain of infinite
 /// radius. What a formula needs of a wall is its outward normal and the offset of its plane.
 struct Site {
-  Vec3 centre{};         ///< grain: centre [m]
-  double radius = 0.0;   ///< grain: radius, 0 for a point [m]
+  Vec3 centre{};        ///< grain: centre [m]
+  double radius = 0.0;  ///< grain: radius, 0 for a point [m]
   bool is_wall = false;
-  Vec3 normal{};         ///< wall: unit normal out of the box [-]
-  double offset = 0.0;   ///< wall: normal . x of its plane [m]
+  Vec3 normal{};        ///< wall: unit normal out of the box [-]
+  double offset = 0.0;  ///< wall: normal . x of its plane [m]
 
   static constexpr Site grain(const Vec3& centre, double radius) { return {centre, radius, false, {}, 0.0}; }
   static constexpr Site wall(const Vec3& normal, double offset) { return {{}, 0.0, true, normal, offset}; }

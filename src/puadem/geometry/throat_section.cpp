@@ -79,9 +79,9 @@ ThroatSection throat_section(const std::array<Site, 3>& sites) {
   section.sides = 3;
   for (unsigned k = 0; k < 3; ++k) {
     const Site &site = sites[k], &next = sites[(k + 1) % 3], &last = sites[(k + 2) % 3];
-    section.side[k] = {site.is_wall, site.radius,
-                       site.is_wall ? length_on_wall(site, next, last)
-                                    : angle_between(edge_from(site, next), edge_from(site, last))};
+    section.side[k] = {
+        site.is_wall, site.radius,
+        site.is_wall ? length_on_wall(site, next, last) : angle_between(edge_from(site, next), edge_from(site, last))};
     section.crevice[k] = crevice_between(site, next);
   }
   section.facet_area = facet_area(sites);
@@ -145,8 +145,7 @@ ThroatSection polygon_section(std::span<const std::array<double, 2>> corners) {
         if (std::abs(determinant) < 1e-12) continue;  // parallel sides
         const Vec3 y = (b[0] * cross(row[1], row[2]) + b[1] * cross(row[2], row[0]) + b[2] * cross(row[0], row[1])) / determinant;
         bool inside = true;
-        for (unsigned s = 0; s < n; ++s)
-          inside = inside && dot(inward[s], Vec3{y.x, y.y, 0.0} - at(s)) >= y.z * (1.0 - 1e-12);
+        for (unsigned s = 0; s < n; ++s) inside = inside && dot(inward[s], Vec3{y.x, y.y, 0.0} - at(s)) >= y.z * (1.0 - 1e-12);
         if (inside) section.inscribed_radius = std::max(section.inscribed_radius, y.z);
       }
   return section;

@@ -181,8 +181,9 @@ const Section<ContactOptions>& contact_section() {
       bind<ContactOptions>(
           number("wall_friction", at_least(0), "friction coefficient mu between grains and walls", between(0, 2)),
           &ContactOptions::wall_friction),
-      bind<ContactOptions>(number("rolling_stiffness", at_least(0), "alpha_r: rolling stiffness alpha_r k_s R_i R_j", between(0, 5)),
-                           &ContactOptions::rolling_stiffness),
+      bind<ContactOptions>(
+          number("rolling_stiffness", at_least(0), "alpha_r: rolling stiffness alpha_r k_s R_i R_j", between(0, 5)),
+          &ContactOptions::rolling_stiffness),
       bind<ContactOptions>(
           number("rolling_friction", at_least(0), "eta_r: rolling moment up to eta_r min(R_i, R_j) F_n", between(0, 1)),
           &ContactOptions::rolling_friction),

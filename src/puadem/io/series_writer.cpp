@@ -114,7 +114,9 @@ std::string event_line(long event, const InvasionEvent& e) {
                      e.wetting_volume);
 }
 
-std::string compaction_line(const Progress& p) { return fmt::format("{},{},{},{}\n", p.step, p.porosity, p.stress, p.unbalanced); }
+std::string compaction_line(const Progress& p) {
+  return fmt::format("{},{},{},{}\n", p.step, p.porosity, p.stress, p.unbalanced);
+}
 
 std::string distributions_csv(const RadiusDistributions& d) {
   std::string csv(distributions_header);

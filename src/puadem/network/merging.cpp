@@ -109,7 +109,8 @@ class Merger {
       if (v == u) continue;
       const double r = ratio(u, v, f);
       const bool must = std::isinf(r);
-      if (!must && (r <= options_.ratio || size_of(units_.cells[to_size(u)]) + size_of(units_.cells[to_size(v)]) > options_.limit))
+      if (!must &&
+          (r <= options_.ratio || size_of(units_.cells[to_size(u)]) + size_of(units_.cells[to_size(v)]) > options_.limit))
         continue;
       const auto rank = static_cast<float>(r);
       if (rank < worst.ratio) continue;
@@ -184,7 +185,8 @@ class Merger {
     for (int c = 0; c < size_of(units_.unit); ++c) {
       const int u = units_.unit[to_size(c)];
       if (number[to_size(u)] < 0) {
-        ensure(!is_nil(u), "the pore of tetrahedron {} has no void and no neighbour to join: the grains around it overlap too far", c);
+        ensure(!is_nil(u),
+               "the pore of tetrahedron {} has no void and no neighbour to join: the grains around it overlap too far", c);
         number[to_size(u)] = merged.units++;
       }
       merged.unit[to_size(c)] = number[to_size(u)];
@@ -212,8 +214,9 @@ std::vector<Facet> find_facets(const Triangulation& triangulation) {
   return facets;
 }
 
-MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
-                        std::span<const double> wide, std::span<const double> void_area, const MergeOptions& options) {
+MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void,
+                        std::span<const int> cell_faces, std::span<const double> wide, std::span<const double> void_area,
+                        const MergeOptions& options) {
   MergedCells merged = Merger(cells, facets, cell_void, cell_faces, wide, void_area, options).merge();
   const double mean = std::accumulate(cell_void.begin(), cell_void.end(), 0.0) / std::max(cells, 1);
   merged.forced = static_cast<int>(std::count_if(cell_void.begin(), cell_void.end(), [&](double v) { return v <= 1e-9 * mean; }));

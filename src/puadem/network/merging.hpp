@@ -27,22 +27,23 @@ struct MergeOptions {
 
 /// Partition of the cells into pore units.
 struct MergedCells {
-  std::vector<int> unit;                              ///< of each cell; units are numbered by their lowest cell
+  std::vector<int> unit;                               ///< of each cell; units are numbered by their lowest cell
   std::vector<std::array<std::int8_t, 3>> cell_shift;  ///< where a cell lies in the frame of its unit, in periods
   int units = 0;
-  int forced = 0;                                     ///< cells without void of their own that had to join a neighbour
+  int forced = 0;  ///< cells without void of their own that had to join a neighbour
 };
 
 /// Joins cells to pore units, worst throat first (theory 3.7). In each round every facet that is the
 /// worst of both its units merges them; worst is the largest R_ij / min(R_i, R_j), then the largest
-/// void area (facets around one wide gap tie exactly), then the lowest facet. So the order is local: it does not depend on threads or on how the cells
-/// are spread. A cell whose void volume is nil to rounding always joins a neighbour.
+/// void area (facets around one wide gap tie exactly), then the lowest facet. So the order is local: it does not depend on
+/// threads or on how the cells are spread. A cell whose void volume is nil to rounding always joins a neighbour.
 ///
 /// @param cell_void   void volume per cell [m3]
 /// @param cell_faces  facets and wall faces per cell
 /// @param wide        R_ij = 2 gamma / p_e = 2 r* per facet [m]
 /// @param void_area   per facet [m2]
-MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
-                        std::span<const double> wide, std::span<const double> void_area, const MergeOptions& options);
+MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void,
+                        std::span<const int> cell_faces, std::span<const double> wide, std::span<const double> void_area,
+                        const MergeOptions& options);
 
 }  // namespace puadem

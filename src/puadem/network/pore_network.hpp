@@ -19,12 +19,12 @@ namespace puadem {
 /// between two different pores; two pores may share several throats, and each stays a throat of its own.
 struct PoreNetwork {
   // Per pore.
-  std::vector<Vec3> pore_centre;           ///< centroid of the unit's tetrahedra [m]
-  std::vector<double> pore_volume;         ///< void volume V_i [m3], > 0
-  std::vector<double> pore_radius;         ///< R_i = chi_g(n_f) V_i^(1/3) [m] (theory 3.6)
-  std::vector<int> pore_faces;             ///< n_f: throats and wall faces that bound the unit [-]
-  std::vector<std::uint8_t> pore_walls;    ///< bit f is set where the unit touches wall face f of the box
-  Csr pore_throats;                        ///< throats of each pore, ascending
+  std::vector<Vec3> pore_centre;         ///< centroid of the unit's tetrahedra [m]
+  std::vector<double> pore_volume;       ///< void volume V_i [m3], > 0
+  std::vector<double> pore_radius;       ///< R_i = chi_g(n_f) V_i^(1/3) [m] (theory 3.6)
+  std::vector<int> pore_faces;           ///< n_f: throats and wall faces that bound the unit [-]
+  std::vector<std::uint8_t> pore_walls;  ///< bit f is set where the unit touches wall face f of the box
+  Csr pore_throats;                      ///< throats of each pore, ascending
 
   // Per throat. `throat_pores[t] = {i, j}`, i <= j; the normal points from i to j.
   std::vector<std::array<int, 2>> throat_pores;
@@ -37,14 +37,14 @@ struct PoreNetwork {
   std::vector<double> throat_entry_radius;               ///< r*: entry pressure p_e = gamma / r* [m] (theory 3.4)
   std::vector<double> throat_snap_off_radius;            ///< r_so: snap-off pressure p_so = gamma / r_so [m] (theory 3.5)
   std::vector<EntryKind> throat_entry_kind;
-  std::vector<std::uint8_t> throat_at_wall;              ///< 1 where a wall bounds the throat
-  std::vector<std::array<Vertex, 3>> throat_particles;   ///< grains or walls around the throat
+  std::vector<std::uint8_t> throat_at_wall;             ///< 1 where a wall bounds the throat
+  std::vector<std::array<Vertex, 3>> throat_particles;  ///< grains or walls around the throat
 
   // From the triangulation; empty for a network read from a file.
   Triangulation triangulation;
   std::vector<double> tetrahedron_void;  ///< [m3]
   std::vector<int> tetrahedron_pore;
-  Csr pore_tetrahedra;                   ///< tetrahedra of each pore, ascending
+  Csr pore_tetrahedra;  ///< tetrahedra of each pore, ascending
 
   int pores() const { return size_of(pore_volume); }
   int throats() const { return size_of(throat_pores); }

@@ -24,8 +24,8 @@ struct Cells {
 
 Cells measure_cells(const Triangulation& triangulation, const PackingSites& sites_of) {
   const auto n = to_size(triangulation.cells());
-  Cells cells{std::vector<double>(n), std::vector<double>(n), std::vector<Vec3>(n), std::vector<Vec3>(n), std::vector<int>(n),
-              std::vector<std::uint8_t>(n)};
+  Cells cells{std::vector<double>(n), std::vector<double>(n), std::vector<Vec3>(n),
+              std::vector<Vec3>(n),   std::vector<int>(n),    std::vector<std::uint8_t>(n)};
   parallel_for(triangulation.cells(), [&](int t) {
     const auto i = to_size(t);
     const auto& vertices = triangulation.vertices[i];
@@ -59,8 +59,8 @@ struct Sections {
 Sections measure_sections(const Triangulation& triangulation, const std::vector<Facet>& facets, const PackingSites& sites_of,
                           const NetworkOptions& options) {
   const auto n = facets.size();
-  Sections s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n),
-             std::vector<EntryKind>(n)};
+  Sections s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n),
+             std::vector<double>(n), std::vector<double>(n), std::vector<EntryKind>(n)};
   std::visit(
       [&](const ThroatEntryLaw auto& law) {
         parallel_for(size_of(facets), [&](int f) {
@@ -112,7 +112,11 @@ void add_throat(PoreNetwork& network, const Facet& facet, std::size_t f, const C
   Vec3 normal = facet_normal(sites_of(vertices));
   // From the cell outwards: away from its vertex opposite the facet.
   const auto& opposite = network.triangulation.vertices[a][static_cast<std::size_t>(facet.opposite)];
-  const Vec3 apex = opposite.is_wall() ? sites_of(opposite).normal : cells.centroid[a] - sites_of(*std::find_if(vertices.begin(), vertices.end(), [](const Vertex& v) { return !v.is_wall(); })).centre;
+  const Vec3 apex =
+      opposite.is_wall()
+          ? sites_of(opposite).normal
+          : cells.centroid[a] -
+                sites_of(*std::find_if(vertices.begin(), vertices.end(), [](const Vertex& v) { return !v.is_wall(); })).centre;
   if (dot(normal, apex) > 0.0) normal = -normal;
   const double length = norm(cells.power_centre[b] + sites_of.translation(facet.shift) - cells.power_centre[a]);
   if (j < i) {
@@ -150,8 +154,8 @@ PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const dou
 
   std::vector<double> wide(facets.size());
   for (std::size_t f = 0; f < facets.size(); ++f) wide[f] = 2.0 * sections.entry_radius[f];
-  const MergedCells merged = merge_cells(triangulation.cells(), facets, cells.void_volume, cells.faces, wide,
-                                         sections.void_area, {options.merge_ratio, options.merge_limit});
+  const MergedCells merged = merge_cells(triangulation.cells(), facets, cells.void_volume, cells.faces, wide, sections.void_area,
+                                         {options.merge_ratio, options.merge_limit});
 
   fill_pores(network, cells, merged, sites_of);
   for (std::size_t f = 0; f < facets.size(); ++f) add_throat(network, facets[f], f, cells, merged, sections, sites_of);

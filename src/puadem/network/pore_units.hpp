@@ -15,7 +15,7 @@ struct NetworkOptions {
   double contact_angle = 0.0;  ///< theta [rad], in the entry and snap-off radii
   /// Neighbours merge where R_ij / min(R_i, R_j) exceeds this (theory 3.7); infinity: no merging.
   double merge_ratio = 0.9;
-  int merge_limit = 20;        ///< most tetrahedra in one unit
+  int merge_limit = 20;  ///< most tetrahedra in one unit
 };
 
 /// Pore network of a packing: triangulation, throat sections, merging, pore units.
