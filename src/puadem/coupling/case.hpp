@@ -36,7 +36,7 @@ struct GrainOptions {
 
 /// Stage "compact": a random cloud becomes a packing at rest under an isotropic stress.
 struct CompactStage {
-  enum class Region { core, box };
+  using Region = CompactionOptions::Region;
   double stress = 10e3;                   ///< target mean stress [Pa]
   std::optional<double> porosity;         ///< target porosity [-]; none: whatever the friction gives
   Region porosity_region = Region::core;  ///< core: farther than one largest diameter from every wall

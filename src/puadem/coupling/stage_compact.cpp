@@ -24,8 +24,7 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   CompactionOptions options;
   options.stress = stage.stress;
   options.porosity = stage.porosity;
-  options.region =
-      stage.porosity_region == CompactStage::Region::core ? CompactionOptions::Region::core : CompactionOptions::Region::box;
+  options.region = stage.porosity_region;
   options.unbalanced = stage.unbalanced;
   options.damping = stage.damping;
 

@@ -98,7 +98,7 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   path.mean_grain_radius =
       std::accumulate(state.particles.radius.begin(), state.particles.radius.end(), 0.0) / state.particles.size();
   const auto stops = static_cast<double>(retention_stops(path).size());
-  std::array<int, 8> events{};
+  std::array<int, invasion_event_kinds> events{};
   follow_path(
       state.network, c.fluids, path, invasion,
       [&](const RetentionRow& row) {
@@ -123,9 +123,8 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   results.ledger.nonwetting_end = counted_sum(invasion, nonwetting);
   results.scalars["ledger_wetting_error"] = results.ledger.wetting_error();
   results.scalars["ledger_nonwetting_error"] = results.ledger.nonwetting_error();
-  constexpr std::array names{"drain",        "open_throat",     "fill",         "snap_off",
-                             "trap_wetting", "trap_nonwetting", "free_wetting", "free_nonwetting"};
-  for (std::size_t k = 0; k < names.size(); ++k) results.scalars[std::string("events_") + names[k]] = events[k];
+  for (int k = 0; k < invasion_event_kinds; ++k)
+    results.scalars[fmt::format("events_{}", event_name(static_cast<InvasionEventKind>(k)))] = events[to_size(k)];
   describe_curves(state.retention, results);
 }
 

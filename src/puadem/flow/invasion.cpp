@@ -102,6 +102,28 @@ std::optional<InvasionCandidate> next_move(const PoreNetwork& network, double ta
 
 }  // namespace
 
+std::string_view event_name(InvasionEventKind kind) {
+  switch (kind) {
+    case InvasionEventKind::drain:
+      return "drain";
+    case InvasionEventKind::open_throat:
+      return "open_throat";
+    case InvasionEventKind::fill:
+      return "fill";
+    case InvasionEventKind::snap_off:
+      return "snap_off";
+    case InvasionEventKind::trap_wetting:
+      return "trap_wetting";
+    case InvasionEventKind::trap_nonwetting:
+      return "trap_nonwetting";
+    case InvasionEventKind::free_wetting:
+      return "free_wetting";
+    case InvasionEventKind::free_nonwetting:
+      return "free_nonwetting";
+  }
+  return "unknown";
+}
+
 InvasionState start_invasion(const PoreNetwork& network, const Fluids& fluids, const InvasionOptions& options) {
   require(options.body_entry || !options.corner_water,
           "body_entry = false needs corner_water = false: a unit entered below its body pressure has no state of rest with "

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "puadem/flow/fluid_clusters.hpp"
@@ -49,6 +50,11 @@ enum class InvasionEventKind : std::uint8_t {
   free_wetting,  ///< a trapped cluster is reached again
   free_nonwetting,
 };
+
+inline constexpr int invasion_event_kinds = 8;
+
+/// The name of an event in files: "drain", "open_throat", ...
+std::string_view event_name(InvasionEventKind kind);
 
 struct InvasionEvent {
   InvasionEventKind kind;

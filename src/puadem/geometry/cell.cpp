@@ -57,13 +57,12 @@ struct Staircase {
 
 double tetrahedron_volume(const std::array<Vec3, 4>& p) { return std::abs(triple(p[1] - p[0], p[2] - p[0], p[3] - p[0])) / 6.0; }
 
-/// Index of the first grain of a cell.
-template <std::size_t N>
-unsigned first_grain(const std::array<Site, N>& sites) {
-  for (unsigned k = 0; k < N; ++k)
-    if (!sites[k].is_wall) return k;
-  assert(false);
-  return 0;
+/// The three tangencies of the first grain with the other sites.
+std::array<Tangency, 3> tangencies(const std::array<Site, 4>& sites, std::size_t first) {
+  std::array<Tangency, 3> rows;
+  for (std::size_t k = 0, row = 0; k < 4; ++k)
+    if (k != first) rows[row++] = tangency(sites[first], sites[k]);
+  return rows;
 }
 
 /// Solves the 3 x 3 system with rows a by Cramer's rule; none where the rows are flat to 1e-13 of their size.
@@ -120,52 +119,24 @@ double cell_void_volume(const std::array<Site, 4>& sites) {
 }
 
 std::optional<Vec3> power_centre(const std::array<Site, 4>& sites) {
-  const unsigned first = first_grain(sites);
-  const Site& origin = sites[first];
-  std::array<Vec3, 3> rows;
-  std::array<double, 3> rhs{};
-  for (unsigned k = 0, row = 0; k < 4; ++k) {
-    if (k == first) continue;
-    const Site& site = sites[k];
-    rows[row] = edge_from(origin, site);
-    rhs[row++] =
-        site.is_wall
-            ? distance_to_wall(origin, site)
-            : 0.5 * (squared_norm(site.centre - origin.centre) + origin.radius * origin.radius - site.radius * site.radius);
-  }
-  const auto offset = solve(rows, rhs);
+  const std::size_t first = first_grain(sites);
+  const auto [p, q, r] = tangencies(sites, first);
+  const auto offset = solve({p.edge, q.edge, r.edge}, {p.constant, q.constant, r.constant});
   if (!offset) return std::nullopt;
-  return origin.centre + *offset;
+  return sites[first].centre + *offset;
 }
 
 std::optional<double> inscribed_sphere_radius(const std::array<Site, 4>& sites) {
-  // |y - x_k| = r + R_k for grains, n . y + r = offset for walls. Against the first grain each is linear
-  // in (y, r), so y = u + r v from the first grain's centre and r solves one quadratic.
-  const unsigned first = first_grain(sites);
-  const Site& origin = sites[first];
-  std::array<Vec3, 3> rows;
-  std::array<double, 3> constant{}, linear{};
-  for (unsigned k = 0, row = 0; k < 4; ++k) {
-    if (k == first) continue;
-    const Site& site = sites[k];
-    rows[row] = edge_from(origin, site);
-    constant[row] = site.is_wall ? distance_to_wall(origin, site)
-                                 : 0.5 * (squared_norm(rows[row]) + origin.radius * origin.radius - site.radius * site.radius);
-    linear[row++] = site.is_wall ? -1.0 : origin.radius - site.radius;
-  }
-  const auto u = solve(rows, constant), v = solve(rows, linear);
+  const std::size_t first = first_grain(sites);
+  const auto [p, q, r] = tangencies(sites, first);
+  const std::array<Vec3, 3> edges{p.edge, q.edge, r.edge};
+  const auto u = solve(edges, {p.constant, q.constant, r.constant}), v = solve(edges, {p.linear, q.linear, r.linear});
   if (!u || !v) return std::nullopt;
-  const double a = squared_norm(*v) - 1.0, b = dot(*u, *v) - origin.radius, d = squared_norm(*u) - origin.radius * origin.radius;
-  const double discriminant = b * b - a * d;
-  if (d <= 0.0) return 0.0;  // the grains overlap at their power centre
-  if (discriminant < 0.0) return std::nullopt;
-  const double denominator = -b + std::sqrt(discriminant);
-  if (denominator <= 0.0) return std::nullopt;
-  return d / denominator;
+  return tangent_radius(*u, *v, sites[first].radius);
 }
 
 Vec3 facet_normal(const std::array<Site, 3>& sites) {
-  const unsigned k = first_grain(sites);
+  const std::size_t k = first_grain(sites);
   return normalized(cross(edge_from(sites[k], sites[(k + 1) % 3]), edge_from(sites[k], sites[(k + 2) % 3])));
 }
 

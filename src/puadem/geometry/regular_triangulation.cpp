@@ -14,6 +14,7 @@
 #include "puadem/base/error.hpp"
 #include "puadem/base/parallel.hpp"
 #include "puadem/geometry/cell.hpp"
+#include "puadem/geometry/packing_sites.hpp"
 
 namespace puadem {
 
@@ -108,7 +109,7 @@ bool has_owned_grain(const CellVertices& cell) {
 class Builder {
  public:
   Builder(std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain)
-      : centre_(centre), radius_(radius), domain_(domain), spheres_(centre, radius, domain) {
+      : centre_(centre), radius_(radius), domain_(domain), sites_of_(centre, radius, domain), spheres_(centre, radius, domain) {
     largest_radius_ = *std::max_element(radius.begin(), radius.end());
     any_periodic_ = domain.periodic[0] || domain.periodic[1] || domain.periodic[2];
   }
@@ -163,15 +164,6 @@ class Builder {
     regular_.insert(points.begin(), points.end());
   }
 
-  Site site(const Vertex& v) const {
-    if (v.is_wall())
-      return Site::wall(outward_normal(v.face()),
-                        is_upper(v.face()) ? domain_.face_position(v.face()) : -domain_.face_position(v.face()));
-    const Vec3 size = domain_.size();
-    const Vec3 move{v.shift[0] * size.x, v.shift[1] * size.y, v.shift[2] * size.z};
-    return Site::grain(centre_[to_size(v.index)] + move, radius_[to_size(v.index)]);
-  }
-
   /// Halo at which no image left out could change a cell that touches an owned grain, or one beside it
   /// [m]: the orthosphere of every such cell, widened by the largest grain, must lie inside the images.
   double needed_halo() const {
@@ -198,12 +190,10 @@ class Builder {
 
   /// How far the orthosphere of a cell, widened by the largest grain, leaves the box along periodic axes [m].
   double reach_beyond_box(Regular::Cell_handle cell) const {
-    const CellVertices vertices = vertices_of(cell);
-    std::array<Site, 4> sites;
-    for (unsigned k = 0; k < 4; ++k) sites[k] = site(vertices[k]);
+    const std::array<Site, 4> sites = sites_of_(vertices_of(cell));
     const auto centre = power_centre(sites);
     if (!centre) return 0.0;  // flat: the orthospheres of its neighbours bound its own
-    const Site& grain = sites[first_grain(vertices)];
+    const Site& grain = sites[first_grain(sites)];
     const double power = squared_norm(*centre - grain.centre) - grain.radius * grain.radius;
     const double reach = std::sqrt(std::max(0.0, power + largest_radius_ * largest_radius_));
     double beyond = 0.0;
@@ -211,12 +201,6 @@ class Builder {
       if (domain_.periodic[to_size(axis)])
         beyond = std::max({beyond, domain_.lower[axis] - (*centre)[axis] + reach, (*centre)[axis] + reach - domain_.upper[axis]});
     return beyond;
-  }
-
-  static unsigned first_grain(const CellVertices& vertices) {
-    for (unsigned k = 0; k < 4; ++k)
-      if (!vertices[k].is_wall()) return k;
-    return 0;
   }
 
   void require_all_visible() {
@@ -283,6 +267,7 @@ class Builder {
   std::span<const Vec3> centre_;
   std::span<const double> radius_;
   Domain domain_;
+  PackingSites sites_of_;
   SnappedSpheres spheres_;
   double largest_radius_ = 0.0;
   bool any_periodic_ = false;

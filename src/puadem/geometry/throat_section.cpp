@@ -45,33 +45,17 @@ double ThroatSection::solid_perimeter() const {
 }
 
 double inscribed_circle_radius(const std::array<Site, 3>& sites) {
-  const unsigned first = sites[0].is_wall ? (sites[1].is_wall ? 2 : 1) : 0;
+  const std::size_t first = first_grain(sites);
   const Site& origin = sites[first];
-  assert(!origin.is_wall);
-  // In the plane spanned by the two edges from the origin grain: y = s e1 + t e2 with
-  // e_k . y = constant_k + linear_k r for each of the other two sites.
-  std::array<Vec3, 2> edge;
-  std::array<double, 2> constant{}, linear{};
-  for (unsigned k = 0, row = 0; k < 3; ++k) {
-    if (k == first) continue;
-    const Site& site = sites[k];
-    edge[row] = edge_from(origin, site);
-    constant[row] = site.is_wall ? distance_to_wall(origin, site)
-                                 : 0.5 * (squared_norm(edge[row]) + origin.radius * origin.radius - site.radius * site.radius);
-    linear[row++] = site.is_wall ? -1.0 : origin.radius - site.radius;
-  }
-  const double g00 = squared_norm(edge[0]), g01 = dot(edge[0], edge[1]), g11 = squared_norm(edge[1]);
+  // The centre lies in the plane of the two edges.
+  const Tangency p = tangency(origin, sites[first == 0 ? 1 : 0]), q = tangency(origin, sites[first == 2 ? 1 : 2]);
+  const double g00 = squared_norm(p.edge), g01 = dot(p.edge, q.edge), g11 = squared_norm(q.edge);
   const double determinant = g00 * g11 - g01 * g01;
   if (determinant <= 1e-26 * g00 * g11) return 0.0;  // three centres on a line enclose nothing
-  const auto in_plane = [&](const std::array<double, 2>& b) {
-    return ((g11 * b[0] - g01 * b[1]) * edge[0] + (g00 * b[1] - g01 * b[0]) * edge[1]) / determinant;
+  const auto in_plane = [&](double b0, double b1) {
+    return ((g11 * b0 - g01 * b1) * p.edge + (g00 * b1 - g01 * b0) * q.edge) / determinant;
   };
-  const Vec3 u = in_plane(constant), v = in_plane(linear);
-  const double a = squared_norm(v) - 1.0, b = dot(u, v) - origin.radius, d = squared_norm(u) - origin.radius * origin.radius;
-  if (d <= 0.0) return 0.0;  // the circles overlap at their radical centre: no gap
-  const double discriminant = b * b - a * d;
-  const double denominator = discriminant < 0.0 ? 0.0 : -b + std::sqrt(discriminant);
-  return denominator > 0.0 ? d / denominator : 0.0;  // smallest positive root, without cancellation
+  return tangent_radius(in_plane(p.constant, q.constant), in_plane(p.linear, q.linear), origin.radius).value_or(0.0);
 }
 
 ThroatSection throat_section(const std::array<Site, 3>& sites) {

@@ -82,28 +82,6 @@ void append_bins(std::string& csv, std::string_view kind, const std::vector<Bin>
 
 }  // namespace
 
-std::string_view event_name(InvasionEventKind kind) {
-  switch (kind) {
-    case InvasionEventKind::drain:
-      return "drain";
-    case InvasionEventKind::open_throat:
-      return "open_throat";
-    case InvasionEventKind::fill:
-      return "fill";
-    case InvasionEventKind::snap_off:
-      return "snap_off";
-    case InvasionEventKind::trap_wetting:
-      return "trap_wetting";
-    case InvasionEventKind::trap_nonwetting:
-      return "trap_nonwetting";
-    case InvasionEventKind::free_wetting:
-      return "free_wetting";
-    case InvasionEventKind::free_nonwetting:
-      return "free_nonwetting";
-  }
-  return "unknown";
-}
-
 std::string retention_line(const RetentionRow& r) {
   return fmt::format("{},{},{},{},{},{},{}\n", r.step, r.branch, r.capillary_pressure, r.pc_star, r.saturation, r.trapped_wetting,
                      r.trapped_nonwetting);

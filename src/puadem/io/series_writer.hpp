@@ -22,9 +22,6 @@ std::string event_line(long event, const InvasionEvent& e);
 std::string compaction_line(const Progress& p);
 std::string distributions_csv(const RadiusDistributions& d);  ///< header and lines
 
-/// The name of an event in series/events.csv.
-std::string_view event_name(InvasionEventKind kind);
-
 /// Reads a retention series back. Columns are found by name; only pc_Pa and saturation must be there,
 /// so a measured curve can be laid over a run. Lines that begin with '#' are skipped.
 /// @throws InputError with file and line

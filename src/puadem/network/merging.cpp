@@ -74,7 +74,10 @@ class Merger {
     const double mean = std::accumulate(cell_void.begin(), cell_void.end(), 0.0) / std::max(cells, 1);
     ensure(mean > 0.0, "the packing has no void at all: the grains overlap too far");
     nil_volume_ = 1e-9 * mean;
-    for (int c = 0; c < cells; ++c) update_radius(c);
+    for (int c = 0; c < cells; ++c) {
+      update_radius(c);
+      forced_ += is_nil(c);
+    }
   }
 
   MergedCells merge() {
@@ -179,6 +182,7 @@ class Merger {
 
   MergedCells result() const {
     MergedCells merged;
+    merged.forced = forced_;
     merged.unit.resize(units_.unit.size());
     merged.cell_shift = units_.cell_shift;
     std::vector<int> number(units_.unit.size(), -1);
@@ -198,6 +202,7 @@ class Merger {
   std::span<const double> wide_, void_area_;
   MergeOptions options_;
   double nil_volume_ = 0.0;
+  int forced_ = 0;
   std::vector<Worst> worst_;
 };
 
@@ -217,10 +222,7 @@ std::vector<Facet> find_facets(const Triangulation& triangulation) {
 MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void,
                         std::span<const int> cell_faces, std::span<const double> wide, std::span<const double> void_area,
                         const MergeOptions& options) {
-  MergedCells merged = Merger(cells, facets, cell_void, cell_faces, wide, void_area, options).merge();
-  const double mean = std::accumulate(cell_void.begin(), cell_void.end(), 0.0) / std::max(cells, 1);
-  merged.forced = static_cast<int>(std::count_if(cell_void.begin(), cell_void.end(), [&](double v) { return v <= 1e-9 * mean; }));
-  return merged;
+  return Merger(cells, facets, cell_void, cell_faces, wide, void_area, options).merge();
 }
 
 }  // namespace puadem

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "puadem/geometry/cell.hpp"
+#include "puadem/geometry/packing_sites.hpp"
 #include "puadem/network/merging.hpp"
-#include "puadem/network/packing_sites.hpp"
 #include "puadem/network/pore_shape.hpp"
 
 namespace puadem {

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "puadem/base/parallel.hpp"
 #include "puadem/geometry/regular_triangulation.hpp"
 #include "puadem/geometry/site.hpp"
 
@@ -37,8 +38,6 @@ class PackingSites {
   }
 
  private:
-  static constexpr std::size_t to_size(int i) { return static_cast<std::size_t>(i); }
-
   std::span<const Vec3> centre_;
   std::span<const double> radius_;
   Vec3 period_;
