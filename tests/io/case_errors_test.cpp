@@ -125,6 +125,8 @@ TEST(CaseErrors, OfValuesThatDoNotFitEachOther) {
       {"[\"400 Pa\", \"1300 Pa\", \"0 Pa\"]", "[\"400 Pa\", \"-1 Pa\"]",
        "stage.1.path = \"-1 Pa\" is out of range; allowed: >= 0 Pa"},
       {"path = [", "step = \"1 nPa\"\npath = [", "steps along the path; at most 1e6"},
+      {"stress = \"10 kPa\"", "stress = \"10 kPa\"\nporosity = 0.37\nfriction_angle = \"0 deg\"",
+       "case.toml:14:1: stage.0.porosity and stage.0.friction_angle exclude each other"},
       {"count = 5000", "count = 5000\nfile = \"p.csv\"", "grains.file and grains.count exclude each other"},
       {"count = 5000", "count = 5000\nfile = \"p.csv\"", "no such file: /study/p.csv"},
       {"count = 5000", "count = 5000\nfile = \"p.csv\"", "with grains.file remove the stage"},

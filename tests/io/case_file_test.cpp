@@ -120,9 +120,9 @@ bool same(const NetworkOptions& a, const NetworkOptions& b) {
          merge_limit == b.merge_limit;
 }
 bool same(const CompactStage& a, const CompactStage& b) {
-  const auto& [stress, porosity, region, unbalanced, damping] = a;
-  return stress == b.stress && porosity == b.porosity && region == b.porosity_region && unbalanced == b.unbalanced &&
-         damping == b.damping;
+  const auto& [stress, porosity, friction_angle, region, unbalanced, damping] = a;
+  return stress == b.stress && porosity == b.porosity && friction_angle == b.friction_angle && region == b.porosity_region &&
+         unbalanced == b.unbalanced && damping == b.damping;
 }
 bool same(const InvasionOptions& a, const InvasionOptions& b) {
   const auto& [air, water, snap_off, trap_wetting, trap_nonwetting, films, corner_water, wall_throats, body_entry, side_pores,
@@ -200,7 +200,7 @@ TEST(CaseFile, FillsEveryField) {
   EXPECT_EQ(c.pores.merge_ratio, std::numeric_limits<double>::infinity());
   EXPECT_EQ(c.pores.merge_limit, 9);
   ASSERT_EQ(c.stages.size(), 2U);
-  EXPECT_TRUE(same(std::get<CompactStage>(c.stages[0]), {5e3, 0.36, CompactStage::Region::box, 1e-4, 0.2}));
+  EXPECT_TRUE(same(std::get<CompactStage>(c.stages[0]), {5e3, 0.36, {}, CompactStage::Region::box, 1e-4, 0.2}));
   const auto& retention = std::get<RetentionStage>(c.stages[1]);
   EXPECT_THAT(retention.path, ElementsAre(400, 1300, 0));
   EXPECT_EQ(retention.step, 50);
@@ -228,6 +228,14 @@ TEST(CaseFile, LeavesOutWhatHasADefault) {
   compact.stress = 100;
   expected.stages.emplace_back(compact);
   EXPECT_TRUE(same(c, expected));
+}
+
+TEST(CaseFile, TakesAFrictionAngleInPlaceOfAPorosity) {
+  std::string text = beads;
+  text.replace(text.find("porosity = 0.36"), 15, "friction_angle = \"9 deg\"");
+  const Case c = read(text);
+  EXPECT_TRUE(same(std::get<CompactStage>(c.stages[0]), {5e3, {}, 9 * (std::numbers::pi / 180), CompactStage::Region::box, 1e-4, 0.2}));
+  EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/elsewhere").c, c));
 }
 
 TEST(ResolvedCase, ReadsBackToTheSameCase) {

@@ -100,7 +100,9 @@ SyntheticRun make_synthetic_run(int side, bool retention) {
   run.c.grains.count = side * side * side;
   run.c.grains.grading.classes = {{2 * 0.6 * radius, 2 * radius, 1.0}};
   run.c.materials = {Material{}};
-  run.c.stages.push_back(CompactStage{10e3, 0.34});
+  CompactStage compact;
+  compact.porosity = 0.34;
+  run.c.stages.push_back(compact);
   run.c.expected["porosity_core"] = {0.338, 0.342};
   add_grains(run.state, side, random);
   add_network(run.state, side, random);

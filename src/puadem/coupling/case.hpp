@@ -39,6 +39,7 @@ struct CompactStage {
   using Region = CompactionOptions::Region;
   double stress = 10e3;                   ///< target mean stress [Pa]
   std::optional<double> porosity;         ///< target porosity [-]; none: whatever the friction gives
+  std::optional<double> friction_angle;   ///< between all grains while compacting [rad]; none: that of their materials
   Region porosity_region = Region::core;  ///< core: farther than one largest diameter from every wall
   double unbalanced = 1e-3;               ///< unbalanced force ratio at which the packing is at rest [-]
   double damping = 0.4;                   ///< Cundall damping [-]

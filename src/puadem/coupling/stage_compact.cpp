@@ -24,6 +24,7 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   CompactionOptions options;
   options.stress = stage.stress;
   options.porosity = stage.porosity;
+  options.friction_angle = stage.friction_angle;
   options.region = stage.porosity_region;
   options.unbalanced = stage.unbalanced;
   options.damping = stage.damping;

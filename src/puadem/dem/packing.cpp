@@ -27,8 +27,9 @@ struct Compaction {
   const CompactionCallback& callback;
   Particles& particles;
   double largest_radius;
-  double natural_rate;  ///< strain rate at an inertial number of one [1/s]
-  double longest_step;  ///< time step while nothing touches yet [s]
+  double natural_rate;                           ///< strain rate at an inertial number of one [1/s]
+  double longest_step;                           ///< time step while nothing touches yet [s]
+  std::vector<PairConstants<double>> own_pairs;  ///< of the grains, with the friction of their materials
   GrainMeasures measures;
   double porosity = 1.0;  ///< of the region asked for
   double fraction = 0.0;
@@ -104,8 +105,21 @@ bool at_rest(const Compaction& c, double unbalanced, double stress_tolerance) {
   return c.measures.unbalanced < unbalanced && stress_error(c) < stress_tolerance;
 }
 
-void set_friction(GrainSystem& s, double friction) {
-  for (auto& pair : s.pairs.grains) pair.friction = friction;
+/// The same friction between all grains; the time step depends on it.
+void set_friction(Compaction& c, double friction) {
+  for (auto& pair : c.system.pairs.grains) pair.friction = friction;
+  set_time_step(c);
+}
+
+/// Each pair keeps its own friction where that is lower.
+void limit_friction(Compaction& c, double friction) {
+  for (std::size_t k = 0; k < c.own_pairs.size(); ++k)
+    c.system.pairs.grains[k].friction = std::min(c.own_pairs[k].friction, friction);
+}
+
+void restore_friction(Compaction& c) {
+  c.system.pairs.grains = c.own_pairs;
+  set_time_step(c);
 }
 
 /// The cloud is strained until it carries the stress, near rest.
@@ -136,7 +150,7 @@ double lower_friction(Compaction& c, double friction, double target) {
   constexpr double least_friction = 1e-3;
   const double start = c.porosity;
   double slope = 0.015;  // dn / d ln(mu), a guess for the first step
-  set_friction(c.system, friction);
+  limit_friction(c, friction);
   double last_porosity = start, last_step = 0.0;
   while (!c.stopped && c.porosity > target + coming_compression(c)) {
     if (at_rest(c, 1.5e-2, 0.03)) {
@@ -145,7 +159,7 @@ double lower_friction(Compaction& c, double friction, double target) {
       last_step = std::clamp(0.33 * (c.porosity - target) / slope, 0.03, 0.4);
       friction *= std::exp(-last_step);
       if (friction < least_friction) return least_friction;
-      set_friction(c.system, friction);
+      limit_friction(c, friction);
     }
     run_interval(c, target + coming_compression(c));
     c.fraction = std::max(c.fraction, 0.4 + 0.5 * std::clamp((start - c.porosity) / (start - target), 0.0, 1.0));
@@ -155,7 +169,7 @@ double lower_friction(Compaction& c, double friction, double target) {
 
 /// Next to no friction is left: without any, compacts as far as it goes, or to the target.
 void compact_frictionless(Compaction& c, double target) {
-  set_friction(c.system, 0.0);
+  set_friction(c, 0.0);
   while (!c.stopped && c.porosity > target + coming_compression(c) && !at_rest(c, c.options.unbalanced, 0.01))
     run_interval(c, target + coming_compression(c));
   require(c.stopped || c.porosity <= target + coming_compression(c),
@@ -170,6 +184,35 @@ void settle(Compaction& c) {
     c.fraction = std::max(c.fraction, 0.9);
   } while (!c.stopped &&
            !(at_rest(c, c.options.unbalanced, 0.015) && std::abs(mean_axis_stress(c) / c.options.stress - 1.0) < 0.005));
+}
+
+/// From a packing under stress to one of the target porosity.
+/// @return lowest friction used
+double compact_to_porosity(Compaction& c, double friction, double target) {
+  constexpr double near_enough = 4e-4;
+  if (c.stopped) return friction;
+  require(c.porosity > target - 0.002,
+          "porosity {:.4f} cannot be reached: with the grains' own friction the packing is {:.4f} already; ask for less, or "
+          "raise the friction angle",
+          target, c.porosity);
+  // The stop allows for what the last of the stress takes away; where it allowed too much, again.
+  for (int round = 0; round < 8 && !c.stopped && (round == 0 || c.porosity > target + near_enough); ++round) {
+    friction = lower_friction(c, friction, target);
+    if (c.porosity > target + coming_compression(c)) compact_frictionless(c, target);
+    restore_friction(c);
+    if (!c.stopped) settle(c);
+  }
+  return friction;
+}
+
+/// Takes away the last velocities of a packing at rest.
+void stop_motion(GrainSystem& s) {
+  set_box_rate(s, {});
+  for (Wall& wall : s.walls) wall.velocity = wall.last_velocity = {};
+  for (GrainRecord& r : s.record) {
+    for (Lanes* motion : {&r.drift, &r.turn, &r.spin}) *motion = Lanes{0.0, 0.0, 0.0, (*motion)[3]};
+  }
+  s.drift_limit = 0.0;
 }
 
 /// Time step while nothing touches: as if the smallest grain carried the target stress through six contacts.
@@ -213,6 +256,10 @@ void check(const CompactionOptions& o) {
   require(o.stress > 0.0 && std::isfinite(o.stress), "compact: stress {} Pa must be positive", o.stress);
   require(!o.porosity || (*o.porosity > 0.0 && *o.porosity < 1.0), "compact: porosity {} must lie in (0, 1)",
           o.porosity.value_or(0.0));
+  require(!o.friction_angle || (*o.friction_angle >= 0.0 && *o.friction_angle < std::numbers::pi / 2),
+          "compact: friction_angle {} rad must lie in [0, pi/2)", o.friction_angle.value_or(0.0));
+  require(!o.porosity || !o.friction_angle,
+          "compact: porosity and friction_angle exclude each other: to reach a porosity the friction is found by itself");
   require(o.unbalanced > 0.0 && o.unbalanced < 1.0, "compact: unbalanced {} must lie in (0, 1)", o.unbalanced);
   require(o.damping >= 0.0 && o.damping < 1.0, "compact: damping {} must lie in [0, 1)", o.damping);
   require(o.safety > 0.0 && o.safety < 1.0, "compact: share {} of the critical time step must lie in (0, 1)", o.safety);
@@ -238,36 +285,33 @@ Packing make_packing(const PackingSource& source, std::span<const Material> mate
                .largest_radius = largest,
                .natural_rate = std::sqrt(options.stress / density) / diameter,
                .longest_step = options.safety * reference_time_step(system, particles, options.stress),
+               .own_pairs = system.pairs.grains,
                .measures = {}};
   c.porosity = packing.report.porosity_box;
   system.time_step = c.longest_step;
 
-  const std::vector<PairConstants<double>> own = system.pairs.grains;
-  const auto own_pair = own[to_size(source.material * system.pairs.materials + source.material)];
-  double friction = own_pair.friction;
-  build_stress(c);
-  if (options.porosity && !c.stopped) {
-    const double target = *options.porosity;
-    require(c.porosity > target - 0.002,
-            "porosity {:.4f} cannot be reached: with the grains' own friction the packing is {:.4f} already; ask for less, or "
-            "raise the friction angle",
-            target, c.porosity);
-    // The stop allows for what the last of the stress takes away; where it allowed too much, again.
-    constexpr double near_enough = 4e-4;
-    for (int round = 0; round < 8 && !c.stopped && (round == 0 || c.porosity > target + near_enough); ++round) {
-      friction = lower_friction(c, friction, target);
-      if (c.porosity > target + coming_compression(c)) compact_frictionless(c, target);
-      system.pairs.grains = own;
-      if (!c.stopped) settle(c);
-    }
-  } else if (!c.stopped) {
-    settle(c);
+  double friction = 0.0;
+  for (const auto& pair : c.own_pairs) friction = std::max(friction, pair.friction);
+  if (options.porosity) {
+    build_stress(c);
+    friction = compact_to_porosity(c, friction, *options.porosity);
+  } else if (options.friction_angle) {
+    friction = std::tan(*options.friction_angle);
+    set_friction(c, friction);
+    build_stress(c);
+    if (!c.stopped) settle(c);
+    restore_friction(c);
+    if (!c.stopped) settle(c);
+  } else {
+    build_stress(c);
+    if (!c.stopped) settle(c);
   }
 
-  for (auto& v : particles.velocity) v = {};
-  for (auto& w : particles.angular_velocity) w = {};
-  packing.domain = system.domain;
   finish_report(c, friction, packing.report);
+  stop_motion(system);
+  collect(system, particles);
+  packing.domain = system.domain;
+  packing.system = std::move(system);
   return packing;
 }
 

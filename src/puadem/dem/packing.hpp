@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "puadem/dem/contact_law.hpp"
+#include "puadem/dem/grain_system.hpp"
 #include "puadem/dem/material.hpp"
 #include "puadem/dem/particles.hpp"
 #include "puadem/dem/stress.hpp"
@@ -40,12 +41,13 @@ double grading_error(const Grading& grading, std::span<const double> radii);
 /// How a cloud becomes a packing.
 struct CompactionOptions {
   enum class Region { core, box };
-  double stress = 10e3;            ///< isotropic [Pa]
-  std::optional<double> porosity;  ///< target [-]; none: whatever the friction gives
-  Region region = Region::core;    ///< core: farther than one largest diameter from every wall
-  double unbalanced = 1e-3;        ///< ratio at which the packing is at rest [-]
-  double damping = 0.4;            ///< Cundall damping [-]
-  double safety = 0.5;             ///< share of the critical time step [-]
+  double stress = 10e3;                  ///< isotropic [Pa]
+  std::optional<double> porosity;        ///< target [-]; none: whatever the friction gives
+  std::optional<double> friction_angle;  ///< between all grains while compacting [rad]; none: that of their materials
+  Region region = Region::core;          ///< core: farther than one largest diameter from every wall
+  double unbalanced = 1e-3;              ///< ratio at which the packing is at rest [-]
+  double damping = 0.4;                  ///< Cundall damping [-]
+  double safety = 0.5;                   ///< share of the critical time step [-]
   long max_steps = 2'000'000;
 };
 
@@ -57,7 +59,7 @@ struct CompactionReport {
   Vec3 axis_stress;              ///< on the walls of an axis, or of the contacts along a periodic axis [Pa]
   double unbalanced = 0.0;       ///< [-]
   double coordination = 0.0;     ///< [-]
-  double friction_used = 0.0;    ///< lowest friction between grains on the way, mu [-]
+  double friction_used = 0.0;    ///< between grains while compacting, mu; with a target porosity the lowest [-]
   double grading_error = 0.0;    ///< [-]
   double largest_overlap = 0.0;  ///< share of the smaller radius [-]
   double time_step = 0.0;        ///< last [s]
@@ -89,15 +91,19 @@ struct Packing {
   Particles particles;
   Domain domain;  ///< lower corner at the origin
   CompactionReport report;
+  std::optional<GrainSystem> system;  ///< of a compaction: the grains at rest with their contacts, forces evaluated
 };
 
 /// A random cloud of the grading, without overlaps, at a solid fraction of 0.3.
 Packing random_cloud(const PackingSource& source, std::span<const Material> materials);
 
 /// A packing at rest under an isotropic stress (theory 2.15): a random cloud is strained with its box
-/// until it carries the stress; the friction between grains, lowered step by step, brings the porosity
-/// down to the target and is then restored. Grain sizes are never changed.
-/// @throws InputError      a target that the grading, the friction or the count cannot reach, with the reachable value
+/// until it carries the stress. How dense it gets is set in one of two ways: by `friction_angle`, which holds
+/// until the packing is at rest (0 gives the densest one); or by `porosity`, for which the friction between
+/// grains is lowered step by step. Then the grains' own friction is set again and the packing comes to rest
+/// once more. Grain sizes are never changed.
+/// @throws InputError      a target that the grading, the friction or the count cannot reach, with the reachable value;
+///                         both a porosity and a friction angle
 /// @throws NumericalError  no rest within `max_steps`
 Packing make_packing(const PackingSource& source, std::span<const Material> materials, const ContactOptions& contact,
                      const CompactionOptions& options, const CompactionCallback& callback = {});

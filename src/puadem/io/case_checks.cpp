@@ -134,6 +134,11 @@ void check_stage(const CompactStage& stage, const StageContext& at, Problems& pr
         at.value_place("kind"),
         "a stage \"compact\" makes its grains from grains.count and grains.grading; with grains.file remove the stage");
   if (at.index != 0) problems.error(at.value_place("kind"), "a stage \"compact\" must come first");
+  if (stage.porosity && stage.friction_angle)
+    problems.error(at.place("friction_angle"),
+                   fmt::format("stage.{0}.porosity and stage.{0}.friction_angle exclude each other: to reach a porosity the "
+                               "friction is found by itself; remove one",
+                               at.index));
   for (const Material& m : at.c.materials)
     if (m.name == at.c.grains.material && stage.stress > 0.01 * m.youngs_modulus)
       problems.warning(at.value_place("stress"),

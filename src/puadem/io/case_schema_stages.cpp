@@ -32,6 +32,12 @@ const Section<CompactStage>& compact_section() {
                                       between(0.2, 0.7)),
                                "whatever the friction gives"),
                          &CompactStage::porosity),
+      bind<CompactStage>(
+          noted(quantity("friction_angle", "rad", Interval{0, 90 * degree, false, true}, between(0, 60 * degree), R"("0 deg")",
+                         "between all grains while compacting, in place of a porosity: 0 deg gives a dense packing, a large "
+                         "angle a loose one; then that of their materials is set again and the packing settles"),
+                "that of the materials"),
+          &CompactStage::friction_angle),
       bind_choice<CompactStage>(
           choice("porosity_region", {"core", "box"},
                  "where the porosity is measured: farther than one largest diameter from every wall, or the whole box"),
