@@ -1,4 +1,4 @@
-// Single contacts against exact solutions: rigid rotation, sliding, rolling, the shear loop, impacts.
+// Single contacts against exact solutions: rigid rotation, sliding, rolling, the shear loop. Impacts: tests/verification.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -149,71 +149,6 @@ TEST(MindlinLoop, FollowsStiffnessAndCoulombLimit) {
   push(1, 30);
   push(-1, 300);
   EXPECT_NEAR(expected, limit, 1e-12 * limit);
-}
-
-struct Impact {
-  double youngs, poisson, density, radius, speed;  ///< speed of one body [m/s]
-};
-
-/// Largest force and overlap, and time of contact, of a sphere that meets a plane that does not yield.
-void expect_plane_impact(const Impact& q, double deepest, double largest, double duration) {
-  const Material m = test::material(q.youngs, q.poisson, q.density);
-  ContactOptions contact;
-  contact.wall_elasticity = ContactOptions::WallElasticity::rigid;
-  Domain box;
-  box.upper = 10 * q.radius * Vec3{1, 1, 1};
-  Particles p = make_particles(std::vector<Vec3>{{5 * q.radius, 5 * q.radius, q.radius}}, std::vector<double>{q.radius}, m);
-  p.velocity[0].z = -q.speed;
-  GrainSystem s = make_grain_system(p, box, std::span(&m, 1), contact, {});
-  s.time_step = duration / 4000;
-  double depth = 0.0, force = 0.0;
-  int steps = 0;
-  do {
-    advance_grains(s, 1);
-    evaluate_forces(s);
-    depth = std::max(depth, q.radius - s.record[0].place[2]);
-    force = std::max(force, -s.walls[4].force.z);
-    ++steps;
-  } while (s.record[0].place[2] < q.radius);
-  EXPECT_NEAR(depth, deepest, 1e-4 * deepest);
-  EXPECT_NEAR(force, largest, 1e-4 * largest);
-  EXPECT_NEAR(steps * s.time_step, duration, 3e-4 * duration);
-  EXPECT_NEAR(s.record[0].drift[2], q.speed, 1e-4 * q.speed);
-}
-
-// Chung and Ooi 2011, Granular Matter 13, 643, tests 2 and 3: a sphere on a rigid plane. The exact Hertz answers.
-TEST(ChungOoi, NormalImpactOfASphereOnARigidPlane) {
-  for (const Impact& q : {Impact{70e9, 0.30, 2699, 0.1, 0.2}, Impact{40e9, 0.35, 1800, 0.1, 0.2},
-                          Impact{380e9, 0.23, 4000, 2.5e-3, 3.9}, Impact{100e9, 0.25, 7000, 2.5e-3, 3.9}}) {
-    const double mass = 4.0 / 3.0 * std::numbers::pi * std::pow(q.radius, 3) * q.density;
-    const double youngs = q.youngs / (1 - q.poisson * q.poisson);
-    const double deepest = std::pow(15 * mass * q.speed * q.speed / (16 * youngs * std::sqrt(q.radius)), 0.4);
-    const double largest = 4.0 / 3.0 * youngs * std::sqrt(q.radius) * std::pow(deepest, 1.5);
-    const double duration = 2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9) * deepest / q.speed;
-    expect_plane_impact(q, deepest, largest, duration);
-  }
-}
-
-// Chung and Ooi, test 7: two equal spheres meet head-on, both spinning alike, and slide throughout. The
-// tangential impulse is mu times the normal one (to the share of the overlap in the radius): v_t = mu (1 + e) v_n, w' = w - 5/2
-// v_t / R with e = 1.
-TEST(ChungOoi, SpinningSpheresThatSlideThroughout) {
-  const double radius = 0.1, speed = 0.02, friction = 0.4;
-  const Material m = test::material(70e9, 0.33, 2700, friction);
-  for (const double spin : {4.0, 8.0}) {
-    Particles p = make_particles(std::vector<Vec3>{{-radius, 0, 0}, {radius, 0, 0}}, std::vector<double>{radius, radius}, m);
-    p.velocity = {{speed, 0, 0}, {-speed, 0, 0}};
-    p.angular_velocity = {{0, 0, spin}, {0, 0, spin}};
-    GrainSystem s = test::free_grains(p, m, {}, 2.0);
-    s.time_step = 1e-7;
-    do advance_grains(s, 1);
-    while (norm(vec3(s.record[1].place) - vec3(s.record[0].place)) < 2 * radius);
-    collect(s, p);
-    const double tangential = friction * 2 * speed;
-    EXPECT_NEAR(std::abs(p.velocity[0].y), tangential, 1e-4 * tangential);
-    EXPECT_NEAR(p.angular_velocity[0].z, spin - 2.5 * tangential / radius, 1e-4 * 2.5 * tangential / radius);
-    EXPECT_NEAR(p.velocity[0].x, -speed, 1e-3 * speed);
-  }
 }
 
 }  // namespace
