@@ -208,17 +208,6 @@ class Merger {
 
 }  // namespace
 
-std::vector<Facet> find_facets(const Triangulation& triangulation) {
-  std::vector<Facet> facets;
-  facets.reserve(2 * to_size(triangulation.cells()));
-  for (int t = 0; t < triangulation.cells(); ++t)
-    for (std::int8_t k = 0; k < 4; ++k) {
-      const auto& [cell, shift] = triangulation.neighbours[to_size(t)][static_cast<std::size_t>(k)];
-      if (cell > t || (cell == t && shift > Shift{})) facets.push_back({t, cell, shift, k});
-    }
-  return facets;
-}
-
 MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void,
                         std::span<const int> cell_faces, std::span<const double> wide, std::span<const double> void_area,
                         const MergeOptions& options) {

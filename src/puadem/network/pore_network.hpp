@@ -7,7 +7,7 @@
 
 #include "puadem/base/csr.hpp"
 #include "puadem/base/vec3.hpp"
-#include "puadem/geometry/regular_triangulation.hpp"
+#include "puadem/geometry/facets.hpp"
 #include "puadem/geometry/throat_entry.hpp"
 
 namespace puadem {
@@ -33,9 +33,10 @@ struct PoreNetwork {
   std::vector<double> throat_area;                       ///< void cross-section A_ij [m2]
   std::vector<double> throat_facet_area;                 ///< whole facet, grains included [m2]
   std::vector<double> throat_length;                     ///< distance of the power centres L_ij [m]
-  std::vector<double> throat_radius;                     ///< inscribed circle r_in [m]
-  std::vector<double> throat_entry_radius;               ///< r*: entry pressure p_e = gamma / r* [m] (theory 3.4)
-  std::vector<double> throat_snap_off_radius;            ///< r_so: snap-off pressure p_so = gamma / r_so [m] (theory 3.5)
+  std::vector<double> throat_conductance;      ///< times viscosity [m3], infinite between halves of one pore (theory 3.8)
+  std::vector<double> throat_radius;           ///< inscribed circle r_in [m]
+  std::vector<double> throat_entry_radius;     ///< r*: entry pressure p_e = gamma / r* [m] (theory 3.4)
+  std::vector<double> throat_snap_off_radius;  ///< r_so: snap-off pressure p_so = gamma / r_so [m] (theory 3.5)
   std::vector<EntryKind> throat_entry_kind;
   std::vector<std::uint8_t> throat_at_wall;             ///< 1 where a wall bounds the throat
   std::vector<std::array<Vertex, 3>> throat_particles;  ///< grains or walls around the throat
@@ -44,6 +45,8 @@ struct PoreNetwork {
   Triangulation triangulation;
   std::vector<double> tetrahedron_void;  ///< [m3]
   std::vector<int> tetrahedron_pore;
+  std::vector<std::array<std::int8_t, 3>> tetrahedron_shift;  ///< moved by this many periods it lies beside the rest of its pore
+  std::vector<Facet> throat_facet;
   Csr pore_tetrahedra;  ///< tetrahedra of each pore, ascending
 
   int pores() const { return size_of(pore_volume); }
