@@ -79,7 +79,8 @@ PUADEM_CLONES void grain_blocks(const GrainLoop& loop, int begin, int end, Conta
         entry[to_size(l)] = static_cast<int>(turn_i.scalar[l]) * loop.materials + static_cast<int>(turn_j.scalar[l]);
       pair = look_up(loop.table, entry);
     }
-    const auto response = finish<Law, full>(a, pair, loop.time_step, history, slot, work);
+    Lanes* pace = loop.blocks->viscous.empty() ? nullptr : &loop.blocks->viscous[to_size(b)].pace;
+    const auto response = finish<Law, full>(a, pair, loop.time_step, history, pace, slot, work);
     if constexpr (full)
       if (loop.roll_slot != nullptr) {
         a.rotation = 2.0 * (turn_j.vector - turn_i.vector);
@@ -143,7 +144,8 @@ PUADEM_CLONES void wall_blocks(const WallLoop& loop, int begin, int end, Contact
       for (int l = 0; l < lane_count; ++l) entry[to_size(l)] = static_cast<int>(turn.scalar[l]);
     PairConstants<Lanes> pair = loop.materials > 1 ? look_up(loop.table, entry) : spread(loop.table[0]);
     pair.friction = broadcast(wall.friction);
-    const auto response = finish<Law, full>(a, pair, loop.time_step, history, slot, work);
+    Lanes* pace = loop.blocks->viscous.empty() ? nullptr : &loop.blocks->viscous[to_size(b)].pace;
+    const auto response = finish<Law, full>(a, pair, loop.time_step, history, pace, slot, work);
     if constexpr (full)
       if (loop.roll_slot != nullptr) {
         a.rotation = 2.0 * turn.vector;

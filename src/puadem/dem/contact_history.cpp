@@ -26,7 +26,8 @@ ContactHistory keep_history(ContactBlocks&& blocks, const std::vector<int>& iden
       if (old.live[to_size(b)] == 0) continue;
       for (int l = 0; l < lane_count; ++l) {
         const bool rolled = !old.roll.empty() && !(is_zero(old.roll[to_size(b)].bend, l) && old.roll[to_size(b)].twist[l] == 0.0);
-        if (is_zero(old.shear[to_size(b)], l) && !rolled) continue;
+        const bool slowed = !old.viscous.empty() && old.viscous[to_size(b)].pace[l] != 0.0;
+        if (is_zero(old.shear[to_size(b)], l) && !rolled && !slowed) continue;
         const int first = old.first[to_size(b)][to_size(l)], second = identity[to_size(old.second[to_size(b)][to_size(l)])];
         if (with_walls)
           visit(second, first, b, l);
@@ -49,6 +50,7 @@ void restore_history(const ContactHistory& history, int owner, int partner, Cont
     const ContactHistory::Entry& entry = history.entry[to_size(e)];
     if (entry.partner != partner) continue;
     copy_lane(history.blocks.shear[to_size(entry.block)], entry.lane, blocks.shear.back(), lane);
+    if (!blocks.viscous.empty()) blocks.viscous.back().pace[lane] = history.blocks.viscous[to_size(entry.block)].pace[entry.lane];
     if (!blocks.roll.empty()) {
       const RollHistory& old = history.blocks.roll[to_size(entry.block)];
       copy_lane(old.bend, entry.lane, blocks.roll.back().bend, lane);

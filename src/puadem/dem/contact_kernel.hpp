@@ -107,10 +107,35 @@ PUADEM_INLINE void resist_rolling(const Approach& a, const ContactResponse<Lanes
   slot[3].moment = rest;
 }
 
+/// Viscous part of the normal force, theory 2.8. The speed of approach at the time of the places follows from
+/// that of the half step: what bodies other than the contact did to it in the last step, they go on doing, and
+/// the contact's own force is solved for. A first or last step counts for the part that the contact lives.
+/// @param pace  history of the contact, 0 where it is new
+template <class Law>
+PUADEM_INLINE Lanes viscous_force(const Approach& a, const ContactResponse<Lanes>& response, const Lanes& damping,
+                                  double time_step, Lanes& pace, Lanes& speed) {
+  const Lanes zero{}, one = broadcast(1.0);
+  const Lanes half = 0.5 * time_step / a.effective_mass;
+  const Lanes dashpot = Law::damping_factor * damping * square_root(a.effective_mass * response.normal);
+  const LaneMask is_new = pace == zero;
+  speed = is_new ? a.approach_speed : (1.5 * a.approach_speed - pace - half * response.force) / (1.0 + half * dashpot);
+  Lanes force = dashpot * speed;
+  // Overlap gained in the step that ends here by a new contact, or lost in the next step by an old one.
+  const Lanes way = time_step * (is_new ? a.approach_speed : a.approach_speed - 2.0 * speed);
+  // A contact that begins or ends at a sampled moment, to rounding, counts there as partial.
+  const LaneMask partial = (a.overlap > zero) & (a.overlap < 1.000001 * way);
+  if (any(partial)) {
+    const Lanes depth = partial ? a.overlap / way : one;
+    force = partial ? Law::partial_dashpot(depth) * force : force;
+  }
+  pace = a.touching ? 0.5 * a.approach_speed - half * (response.force + force) : zero;
+  return force;
+}
+
 /// Law, history, Coulomb limit and slots of one block: the same for grains and walls.
 template <class Law, bool full>
 PUADEM_INLINE ContactResponse<Lanes> finish(const Approach& a, const PairConstants<Lanes>& pair, double time_step,
-                                            LaneVec3& history, ContactSlot* slot, ContactWork& work) {
+                                            LaneVec3& history, Lanes* pace, ContactSlot* slot, ContactWork& work) {
   const LaneVec3& n = a.frame.normal;
   const ContactResponse<Lanes> response = Law::respond(pair, a.overlap, a.effective_radius, a.share_i);
   const LaneVec3 slip = a.slip - dot(a.slip, n) * n;
@@ -124,10 +149,11 @@ PUADEM_INLINE ContactResponse<Lanes> finish(const Approach& a, const PairConstan
 
   const Lanes zero{};
   Lanes normal_force = response.force;
-  if (pair.damping[0] > 0.0) {
-    const Lanes viscous = Law::damping_factor * pair.damping * square_root(a.effective_mass * response.normal) * a.approach_speed;
+  if (pace != nullptr) {
+    Lanes speed;
+    const Lanes viscous = viscous_force<Law>(a, response, pair.damping, time_step, *pace, speed);
     normal_force += viscous;
-    if constexpr (full) work.viscous += a.touching ? viscous * a.approach_speed * time_step : zero;
+    if constexpr (full) work.viscous += a.touching ? viscous * speed * time_step : zero;
   }
   if constexpr (full) work.shear -= a.touching ? 0.5 * dot(old_shear + shear, slip) : zero;
 
@@ -148,6 +174,7 @@ PUADEM_INLINE ContactResponse<Lanes> finish(const Approach& a, const PairConstan
 inline void clear(ContactBlocks& blocks, int b, ContactSlot* slot, RollSlot* roll_slot) {
   blocks.live[to_size(b)] = 0;
   blocks.shear[to_size(b)] = LaneVec3{};
+  if (!blocks.viscous.empty()) blocks.viscous[to_size(b)] = ViscousHistory{};
   for (int l = 0; l < lane_count; ++l) slot[l] = ContactSlot{};
   if (blocks.roll.empty()) return;
   blocks.roll[to_size(b)] = RollHistory{};

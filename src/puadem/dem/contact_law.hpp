@@ -32,9 +32,10 @@ inline bool resists_rolling(const ContactOptions& o) { return o.rolling_friction
 template <class Law>
 concept ContactLaw = requires(const PairConstants<double>& pair, double length) {
   { Law::damping_factor } -> std::convertible_to<double>;
-  { Law::energy_share } -> std::convertible_to<double>;    // normal energy / (k_n overlap^2), tangent k_n
-  { Law::stores_shear } -> std::convertible_to<bool>;      // has the shear force a potential?
-  { Law::stiffness_ratio(pair) } -> std::same_as<double>;  // k_s / k_n, the same at every overlap
+  { Law::energy_share } -> std::convertible_to<double>;      // normal energy / (k_n overlap^2), tangent k_n
+  { Law::stores_shear } -> std::convertible_to<bool>;        // has the shear force a potential?
+  { Law::stiffness_ratio(pair) } -> std::same_as<double>;    // k_s / k_n, the same at every overlap
+  { Law::partial_dashpot(Lanes{}) } -> std::same_as<Lanes>;  // theory 2.8
   { Law::respond(pair, length, length, length) } -> std::same_as<ContactResponse<double>>;
 };
 

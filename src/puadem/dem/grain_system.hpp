@@ -40,15 +40,21 @@ struct alignas(32) RollHistory {
   Lanes twist;
 };
 
+/// History of the viscous part of a contact, 0 where there was none: w of theory 2.8 [m/s].
+struct alignas(32) ViscousHistory {
+  Lanes pace;
+};
+
 /// Candidate contacts in blocks of four; a block is padded with the dummy record. Between grains the first
 /// has the lower identity, so that a contact has one orientation however the records are sorted. A
 /// contact with a wall names the grain as second.
 struct ContactBlocks {
   std::vector<std::array<int, 4>> first;  ///< record indices; for wall contacts the wall
   std::vector<std::array<int, 4>> second;
-  std::vector<LaneVec3> shear;     ///< history: shear force on the second grain [N]
-  std::vector<RollHistory> roll;   ///< empty unless contacts resist rolling
-  std::vector<std::uint8_t> live;  ///< is any slot or history of the block not zero?
+  std::vector<LaneVec3> shear;          ///< history: shear force on the second grain [N]
+  std::vector<RollHistory> roll;        ///< empty unless contacts resist rolling
+  std::vector<ViscousHistory> viscous;  ///< empty unless contacts have a viscous part
+  std::vector<std::uint8_t> live;       ///< is any slot or history of the block not zero?
   int size() const { return size_of(first); }
 };
 
@@ -118,6 +124,9 @@ GrainSystem make_grain_system(const Particles& particles, const Domain& domain, 
 
 /// Writes places, velocities, resultant forces and torques back in order of identity.
 void collect(const GrainSystem& system, Particles& particles);
+
+/// Have contacts a viscous part?
+inline bool has_dashpots(const GrainSystem& s) { return s.pairs.grains[0].damping > 0.0; }
 
 inline double radius_of(const GrainRecord& r) { return r.place[3]; }
 inline double mass_of(const GrainRecord& r) { return r.drift[3]; }

@@ -103,13 +103,14 @@ struct Candidate {
 /// Appends candidates as full blocks with the history kept for them.
 /// @param owner, partner  names of a candidate in the history
 template <class Owner, class Partner>
-void append(ContactBlocks& blocks, const std::vector<Candidate>& candidates, const ContactHistory& history, bool rolls, int dummy,
-            int dummy_first, const Owner& owner, const Partner& partner) {
+void append(ContactBlocks& blocks, const std::vector<Candidate>& candidates, const ContactHistory& history, bool rolls,
+            bool is_viscous, int dummy, int dummy_first, const Owner& owner, const Partner& partner) {
   for (int c = 0; c < size_of(candidates); c += lane_count) {
     blocks.first.push_back({dummy_first, dummy_first, dummy_first, dummy_first});
     blocks.second.push_back({dummy, dummy, dummy, dummy});
     blocks.shear.push_back(LaneVec3{});
     if (rolls) blocks.roll.push_back(RollHistory{});
+    if (is_viscous) blocks.viscous.push_back(ViscousHistory{});
     blocks.live.push_back(1);
     for (int l = 0; l < lane_count && c + l < size_of(candidates); ++l) {
       const Candidate& candidate = candidates[to_size(c + l)];
@@ -141,8 +142,8 @@ void list_grain_contacts(GrainSystem& s, const ContactHistory& history) {
   const int dummy = spheres;
   const auto owner = [&](const Candidate& c) { return identity[c.first]; };
   const auto partner = [&](const Candidate& c) { return identity[c.second]; };
-  append(s.grain_contacts, touching, history, resists_rolling(s.contact), dummy, dummy, owner, partner);
-  append(s.grain_contacts, near, history, resists_rolling(s.contact), dummy, dummy, owner, partner);
+  append(s.grain_contacts, touching, history, resists_rolling(s.contact), has_dashpots(s), dummy, dummy, owner, partner);
+  append(s.grain_contacts, near, history, resists_rolling(s.contact), has_dashpots(s), dummy, dummy, owner, partner);
 }
 
 void list_wall_contacts(GrainSystem& s, const ContactHistory& history) {
@@ -160,7 +161,7 @@ void list_wall_contacts(GrainSystem& s, const ContactHistory& history) {
       const GrainRecord& r = s.record[to_size(k)];
       if (dot(vec3(r.place) - wall.point, wall.normal) < radius_of(r) + s.skin) near.push_back({w, k});
     }
-    append(s.wall_contacts, near, history, resists_rolling(s.contact), dummy, w, owner, partner);
+    append(s.wall_contacts, near, history, resists_rolling(s.contact), has_dashpots(s), dummy, w, owner, partner);
     s.wall_start.push_back(s.wall_contacts.size());
   }
 }

@@ -9,6 +9,9 @@ namespace puadem {
 /// 29, 47), theory 2.5.
 struct LinearSpring {
   static constexpr double damping_factor = 2.0;
+  /// Share of a step for which the dashpot acts that begins with the contact and ends half a step behind an
+  /// overlap of `depth` steps.
+  PUADEM_INLINE static Lanes partial_dashpot(const Lanes& depth) { return depth + 0.5; }
   static constexpr double energy_share = 0.5;
   static constexpr bool stores_shear = true;
   static double stiffness_ratio(const PairConstants<double>& pair) { return pair.stiffness_ratio; }
