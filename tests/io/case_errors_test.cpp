@@ -113,6 +113,8 @@ TEST(CaseErrors, OfValuesThatDoNotFitEachOther) {
   const std::vector<Wrong> wrongs{
       {"fraction = 0.65", "fraction = 0.5",
        "case.toml:5:26: the fractions of grains.grading.classes add to 0.85; they must add to 1"},
+      {"classes = [{", "lognormal = { median = \"1 mm\", deviation = 1.5 }, classes = [{",
+       "classes, table and lognormal exclude each other; give one of them"},
       {"material = \"glass\"", "material = \"glas\"",
        "no table [materials.glas] for the material of the grains; defined: glass; did you mean \"glass\"?"},
       {"[materials.glass]\ndensity = \"2500 kg/m3\"\n", "", "no table [materials.glass]"},
@@ -135,6 +137,27 @@ TEST(CaseErrors, OfValuesThatDoNotFitEachOther) {
   for (const Wrong& wrong : wrongs)
     EXPECT_THAT(error_of(with(wrong.from, wrong.to)), HasSubstr(wrong.message)) << wrong.from << " -> " << wrong.to;
   EXPECT_THAT(error_of(good + "[[stage]]\nkind = \"compact\"\nstress = 3\n"), HasSubstr("a stage \"compact\" must come first"));
+}
+
+TEST(CaseErrors, OfOtherFormsOfTheGrading) {
+  const std::vector<Wrong> wrongs{
+      {"", "table = { diameter = [\"1 mm\", \"2 mm\"], passing = [\"0 %\", \"90 %\"] }",
+       "case.toml:5:26: grains.grading.table: passing ends with 90 %"},
+      {"", "table = { diameter = [\"1 mm\", \"2 mm\"], passing = [0, 100] }",
+       "grains.grading.table.passing = 100 is out of range; allowed: 0 to 1"},
+      {"", "table = { diameter = [\"1 mm\", \"2 mm\"] }", "missing key grains.grading.table.passing"},
+      {"", "table = { diameter = [\"2 mm\", \"1 mm\"], passing = [0, 1] }", "the diameters must ascend"},
+      {"", "table = { diameter = [\"1 mm\", \"2 mm\"], passing = [0, 1], interpolation = \"log\" }",
+       "allowed: logarithmic, linear"},
+      {"", "lognormal = { median = \"1 mm\", deviation = 0.5 }", "lognormal.deviation = 0.5 is out of range; allowed: > 1"},
+      {"", "lognormal = { median = \"1 mm\", deviation = 1.5, smallest = \"5 mm\" }", "must be positive and ascending"},
+      {"", "", "grains.grading has no class; give classes, a table or lognormal"},
+  };
+  const std::string classes = R"(classes = [{ diameter = "0.60 mm", fraction = 0.35 }, { diameter = "1 mm", fraction = 0.65 }])";
+  for (const Wrong& wrong : wrongs) {
+    std::string text = with(", " + classes, *wrong.to != 0 ? std::string(", ") + wrong.to : std::string());
+    EXPECT_THAT(error_of(text), HasSubstr(wrong.message)) << wrong.to;
+  }
 }
 
 TEST(CaseErrors, ComeAllAtOnceInTheOrderOfTheFile) {

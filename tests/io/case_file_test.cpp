@@ -141,6 +141,14 @@ bool same(const Stage& a, const Stage& b) {
   if (const auto* compact = std::get_if<CompactStage>(&a)) return same(*compact, std::get<CompactStage>(b));
   return same(std::get<RetentionStage>(a), std::get<RetentionStage>(b));
 }
+bool same(const GradingTable& a, const GradingTable& b) {
+  const auto& [diameter, passing, interpolation] = a;
+  return diameter == b.diameter && passing == b.passing && interpolation == b.interpolation;
+}
+bool same(const LogNormalGrading& a, const LogNormalGrading& b) {
+  const auto& [median, deviation, smallest, largest] = a;
+  return median == b.median && deviation == b.deviation && smallest == b.smallest && largest == b.largest;
+}
 bool same(const Overlay& a, const Overlay& b) {
   const auto& [label, folder] = a;
   return label == b.label && folder == b.folder;
@@ -149,15 +157,20 @@ template <class T>
 bool same(const std::vector<T>& a, const std::vector<T>& b) {
   return std::ranges::equal(a, b, [](const T& x, const T& y) { return same(x, y); });
 }
+template <class T>
+bool same(const std::optional<T>& a, const std::optional<T>& b) {
+  return a.has_value() == b.has_value() && (!a || same(*a, *b));
+}
 bool same(const Case& a, const Case& b) {
   const auto& [title, seed, domain, grains, materials, contact, fluids, pores, stages, output, overlays, expected] = a;
   const auto& [size, shape, periodic] = domain;
   const auto& [file, count, grading, material] = grains;
-  const auto& [by, classes] = grading;
+  const auto& [by, classes, table, lognormal] = grading;
   const auto& [fields, fields_every] = output;
   return title == b.title && seed == b.seed && size == b.domain.size && shape == b.domain.shape &&
          periodic == b.domain.periodic && file == b.grains.file && count == b.grains.count && by == b.grains.grading.by &&
-         same(classes, b.grains.grading.classes) && material == b.grains.material && same(materials, b.materials) &&
+         same(classes, b.grains.grading.classes) && same(table, b.grains.grading.table) &&
+         same(lognormal, b.grains.grading.lognormal) && material == b.grains.material && same(materials, b.materials) &&
          same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) && same(stages, b.stages) &&
          fields == b.output.fields && fields_every == b.output.fields_every && same(overlays, b.overlays) &&
          std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
@@ -230,11 +243,25 @@ TEST(CaseFile, LeavesOutWhatHasADefault) {
   EXPECT_TRUE(same(c, expected));
 }
 
+TEST(CaseFile, TakesAGradingAsATableOrALogNormalCurve) {
+  const std::string start = "[grains]\ncount = 10\n[materials.glass]\n[[stage]]\nkind = \"compact\"\nstress = 100\n";
+  const Case table = read(start +
+                          "[grains.grading]\ntable = { diameter = [\"0.1 mm\", \"0.2 mm\", 0.4e-3], passing = [0, \"35 %\", 1], "
+                          "interpolation = \"linear\" }\n");
+  EXPECT_TRUE(same(*table.grains.grading.table, {{0.1e-3, 0.2e-3, 0.4e-3}, {0, 0.35, 1}, GradingTable::Interpolation::linear}));
+  EXPECT_TRUE(same(parse_case(resolved_case(table), "resolved", "/elsewhere").c, table));
+  const Case curve = read(
+      start + "[grains.grading]\nby = \"number\"\nlognormal = { median = \"0.4 mm\", deviation = 1.5, largest = \"1 mm\" }\n");
+  EXPECT_TRUE(same(*curve.grains.grading.lognormal, {0.4e-3, 1.5, {}, 1e-3}));
+  EXPECT_TRUE(same(parse_case(resolved_case(curve), "resolved", "/elsewhere").c, curve));
+}
+
 TEST(CaseFile, TakesAFrictionAngleInPlaceOfAPorosity) {
   std::string text = beads;
   text.replace(text.find("porosity = 0.36"), 15, "friction_angle = \"9 deg\"");
   const Case c = read(text);
-  EXPECT_TRUE(same(std::get<CompactStage>(c.stages[0]), {5e3, {}, 9 * (std::numbers::pi / 180), CompactStage::Region::box, 1e-4, 0.2}));
+  EXPECT_TRUE(
+      same(std::get<CompactStage>(c.stages[0]), {5e3, {}, 9 * (std::numbers::pi / 180), CompactStage::Region::box, 1e-4, 0.2}));
   EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/elsewhere").c, c));
 }
 

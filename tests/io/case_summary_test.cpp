@@ -65,6 +65,24 @@ TEST(GradingStatistics, AreTheSumsOverThinSlices) {
   }
 }
 
+// A table straight over d is a list of classes; a log-normal curve has its moments in closed form when it is not cut.
+TEST(GradingStatistics, OfATableAndALogNormalCurve) {
+  for (const auto by : {Grading::By::mass, Grading::By::number}) {
+    Grading table, classes, lognormal;
+    table.by = classes.by = lognormal.by = by;
+    table.table = {{1e-3, 2e-3, 4e-3}, {0.0, 0.4, 1.0}, GradingTable::Interpolation::linear};
+    classes.classes = {{1e-3, 2e-3, 0.4}, {2e-3, 4e-3, 0.6}};
+    EXPECT_DOUBLE_EQ(statistics_of(table).sauter_radius, statistics_of(classes).sauter_radius);
+    EXPECT_DOUBLE_EQ(statistics_of(table).mean_volume, statistics_of(classes).mean_volume);
+    lognormal.lognormal = {.median = 1e-3, .deviation = 1.4, .smallest = 1e-5, .largest = 1e-1};
+    const double width = std::log(1.4), median = by == Grading::By::mass ? std::exp(-3 * width * width) : 1.0;
+    const GrainStatistics s = statistics_of(lognormal);
+    EXPECT_NEAR(s.mean_radius, 0.5e-3 * median * std::exp(0.5 * width * width), 1e-12 * s.mean_radius);
+    EXPECT_NEAR(s.sauter_radius, 0.5e-3 * median * std::exp(2.5 * width * width), 1e-12 * s.sauter_radius);
+    EXPECT_EQ(s.largest, 0.05);
+  }
+}
+
 TEST(GradingStatistics, OfAPacking) {
   const std::vector<double> radius{1.0, 2.0, 3.0};
   const GrainStatistics s = statistics_of(radius);

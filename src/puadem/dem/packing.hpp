@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "puadem/dem/contact_law.hpp"
+#include "puadem/dem/grading.hpp"
 #include "puadem/dem/grain_system.hpp"
 #include "puadem/dem/material.hpp"
 #include "puadem/dem/particles.hpp"
@@ -14,29 +15,6 @@
 #include "puadem/geometry/domain.hpp"
 
 namespace puadem {
-
-/// One class of a grading curve; diameters uniform between the two bounds by the curve's own measure.
-struct GradingClass {
-  double diameter_min = 0.0;  ///< [m]
-  double diameter_max = 0.0;  ///< [m], equal to diameter_min for a single size
-  double fraction = 1.0;      ///< share of the class [-]; the shares add to 1
-};
-
-/// A grading: how much of the grains lies in each size class.
-struct Grading {
-  enum class By { mass, number };
-  By by = By::mass;
-  std::vector<GradingClass> classes;
-};
-
-/// Radii [m] of `count` grains that follow the grading: every class gets the whole number of grains that
-/// comes nearest to its share, their sizes evenly spread over its part of the curve and set so that
-/// its mass is met. In random order.
-/// @throws InputError  bounds or shares out of range, shares that do not add to 1, a class left without a grain
-std::vector<double> grain_radii(const Grading& grading, int count, std::uint64_t seed);
-
-/// Largest relative error of the share of a class, by the grading's own measure [-].
-double grading_error(const Grading& grading, std::span<const double> radii);
 
 /// How a cloud becomes a packing.
 struct CompactionOptions {

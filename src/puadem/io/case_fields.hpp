@@ -215,6 +215,21 @@ Field<T> bind_table(KeyInfo info, const Section<U>& (*section)(), U T::*member) 
   return field;
 }
 
+/// A table inside a table that may be absent.
+template <class T, class U>
+Field<T> bind_table(KeyInfo info, const Section<U>& (*section)(), std::optional<U> T::*member) {
+  Field<T> field;
+  field.info = std::move(info);
+  field.read = [=](const TomlValue& value, Problems& problems, T& t) {
+    read_table(value, section(), problems, (t.*member).emplace());
+  };
+  field.write_tables = [=](const std::string& path, const T& t) {
+    return t.*member ? "\n[" + path + "]\n" + write_table(path, section(), *(t.*member)) : std::string();
+  };
+  field.describe = [=](const std::string& path, std::vector<KeyDoc>& out) { describe_table(path, section(), out); };
+  return field;
+}
+
 /// A list of tables.
 template <class T, class U>
 Field<T> bind_tables(KeyInfo info, const Section<U>& (*section)(), std::vector<U> T::*member) {

@@ -9,6 +9,11 @@ namespace puadem {
 /// the documentation: a new key is one line here.
 const Section<Case>& case_section();
 
+/// The tables [grains], [materials.NAME] and [contact].
+const Section<GrainOptions>& grains_section();
+Field<Case> materials_field();
+const Section<ContactOptions>& contact_section();
+
 /// The list [[stage]].
 Field<Case> stages_field();
 

@@ -6,18 +6,13 @@
 #include <limits>
 #include <numbers>
 
+#include "puadem/dem/size_distribution.hpp"
+
 namespace puadem {
 
 namespace {
 
 constexpr double volume_factor = 4.0 / 3.0 * std::numbers::pi;
-
-/// Mean of r^k over radii uniform between a and b.
-double mean_power(double a, double b, int k) {
-  if (b - a <= 1e-9 * b) return std::pow(0.5 * (a + b), k);
-  if (k == -1) return std::log(b / a) / (b - a);
-  return (std::pow(b, k + 1) - std::pow(a, k + 1)) / ((k + 1) * (b - a));
-}
 
 GrainStatistics from_moments(const std::array<double, 4>& moment, double smallest, double largest) {
   return {moment[1] / moment[0], moment[3] / moment[2], volume_factor * moment[3] / moment[0], smallest, largest};
@@ -26,15 +21,15 @@ GrainStatistics from_moments(const std::array<double, 4>& moment, double smalles
 }  // namespace
 
 GrainStatistics statistics_of(const Grading& grading) {
-  std::array<double, 4> moment{};  // of r^k by number, up to a common factor
+  std::array<double, 4> moment{};  // of r^k by number
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
-  // Mass is r^3 by number: uniform by mass, the number in dr goes as r^-3.
-  const int weight = grading.by == Grading::By::mass ? -3 : 0;
-  for (const GradingClass& g : grading.classes) {
-    const double a = 0.5 * g.diameter_min, b = 0.5 * g.diameter_max;
-    for (int k = 0; k < 4; ++k) moment[static_cast<std::size_t>(k)] += g.fraction * mean_power(a, b, k + weight);
-    smallest = std::min(smallest, a);
-    largest = std::max(largest, b);
+  const std::vector<SizeClass> classes = size_classes(grading);
+  const std::vector<double> share = number_shares(classes, grading.by);
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const AnySizes& sizes = classes[i].sizes;
+    for (int k = 0; k < 4; ++k) moment[static_cast<std::size_t>(k)] += share[i] * std::pow(0.5, k) * mean_power(sizes, k);
+    smallest = std::min(smallest, 0.5 * quantile(sizes, 0.0));
+    largest = std::max(largest, 0.5 * quantile(sizes, 1.0));
   }
   return from_moments(moment, smallest, largest);
 }

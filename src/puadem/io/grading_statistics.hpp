@@ -15,8 +15,8 @@ struct GrainStatistics {
   double largest = 0.0;        ///< radius [m]
 };
 
-/// Closed form for an endless number of grains: inside a class the diameters are uniform in the
-/// grading's own measure.
+/// Closed form for an endless number of grains.
+/// @throws InputError  see size_classes
 GrainStatistics statistics_of(const Grading& grading);
 GrainStatistics statistics_of(std::span<const double> radius);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "puadem/io/grading_statistics.hpp"
 #include "puadem/io/report_data.hpp"
 
 namespace puadem {
@@ -23,13 +24,28 @@ std::string class_text(const GradingClass& g, Grading::By by) {
   return fmt::format("{} to {}: {}", in_print(g.diameter_min, "m"), in_print(g.diameter_max, "m"), share);
 }
 
+void add_grading_rows(const Grading& g, json& rows) {
+  const std::string by = g.by == Grading::By::mass ? "by mass" : "by number";
+  for (const GradingClass& c : g.classes) rows.push_back({"Diameter", class_text(c, g.by)});
+  if (g.table)
+    for (std::size_t i = 0; i < g.table->diameter.size(); ++i)
+      rows.push_back(
+          {"Smaller than " + in_print(g.table->diameter[i], "m"), fmt::format("{:.4g} % {}", 100.0 * g.table->passing[i], by)});
+  if (g.lognormal) {
+    const GrainStatistics sizes = statistics_of(g);
+    rows.push_back({"Diameter", fmt::format("log-normal {}, median {}, deviation {:.4g}, {} to {}", by,
+                                            in_print(g.lognormal->median, "m"), g.lognormal->deviation,
+                                            in_print(2.0 * sizes.smallest, "m"), in_print(2.0 * sizes.largest, "m"))});
+  }
+}
+
 json grain_rows(const Case& c) {
   json rows = json::array();
   if (c.grains.file) {
     rows.push_back({"Packing file", c.grains.file->filename().string()});
   } else {
     rows.push_back({"Grains", std::to_string(c.grains.count)});
-    for (const GradingClass& g : c.grains.grading.classes) rows.push_back({"Diameter", class_text(g, c.grains.grading.by)});
+    add_grading_rows(c.grains.grading, rows);
   }
   for (const Material& m : c.materials) {
     if (m.name != c.grains.material) continue;

@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include "puadem/io/case_schema.hpp"
+#include "puadem/io/key_builders.hpp"
+
+namespace puadem {
+
+namespace {
+
+// [grains]
+
+/// A diameter, or the two bounds of a class.
+Field<GradingClass> diameter_field() {
+  KeyInfo info = needed(quantity("diameter", "m", above(0), between(1e-6, 0.1), R"("0.35 mm")",
+                                 "diameter of a class, or its two bounds [\"1.0 mm\", \"1.4 mm\"]"));
+  info.type = "a length, or a list of two";
+  Field<GradingClass> field;
+  field.read = [info](const TomlValue& value, Problems& problems, GradingClass& c) {
+    if (value.kind != TomlValue::Kind::array) {
+      read_value(value, info, problems, c.diameter_min);
+      c.diameter_max = c.diameter_min;
+      return;
+    }
+    std::vector<double> bounds;
+    const std::size_t before = problems.errors.size();
+    read_value(value, info, problems, bounds);
+    if (problems.errors.size() > before) return;
+    if (bounds.size() != 2 || bounds[0] > bounds[1])
+      return problems.error(value.place, problems.key + " must be one diameter or two, the smaller first");
+    c.diameter_min = bounds[0];
+    c.diameter_max = bounds[1];
+  };
+  field.write = [info](const GradingClass& c) {
+    if (c.diameter_min == c.diameter_max) return c.diameter_min > 0 ? write_value(info, c.diameter_min) : std::string();
+    return write_value(info, std::vector<double>{c.diameter_min, c.diameter_max});
+  };
+  field.info = std::move(info);
+  return field;
+}
+
+const Section<GradingClass>& class_section() {
+  static const Section<GradingClass> section{{
+      diameter_field(),
+      bind<GradingClass>(
+          number("fraction", Interval{0, 1, true, false}, "share of the class in the measure of `by`; the shares add to 1"),
+          &GradingClass::fraction),
+  }};
+  return section;
+}
+
+const Section<GradingTable>& table_section() {
+  static const Section<GradingTable> section = [] {
+    KeyInfo diameter = needed(quantity("diameter", "m", above(0), between(1e-6, 0.1), R"(["0.1 mm", "0.2 mm", "0.4 mm"])",
+                                       "sieve sizes of a cumulative curve, ascending; in place of classes"));
+    diameter.type = "a list of lengths";
+    KeyInfo passing = needed(number("passing", between(0, 1), "share that passes each size, from 0 % to 100 %"));
+    passing.type = "a list of numbers";
+    passing.example = R"(["0 %", "35 %", "100 %"])";
+    return Section<GradingTable>{{
+        bind<GradingTable>(diameter, &GradingTable::diameter),
+        bind<GradingTable>(passing, &GradingTable::passing),
+        bind_choice<GradingTable>(choice("interpolation", {"logarithmic", "linear"},
+                                         "between two sizes the curve is straight over the logarithm of the diameter, or over "
+                                         "the diameter"),
+                                  &GradingTable::interpolation),
+    }};
+  }();
+  return section;
+}
+
+const Section<LogNormalGrading>& lognormal_section() {
+  static const Section<LogNormalGrading> section{{
+      bind<LogNormalGrading>(needed(quantity("median", "m", above(0), between(1e-6, 0.1), R"("0.4 mm")",
+                                             "median diameter d_50 of log-normal sizes; in place of classes")),
+                             &LogNormalGrading::median),
+      bind<LogNormalGrading>(
+          [] {
+            KeyInfo info = needed(number("deviation", above(1), "geometric standard deviation d_84 / d_50", between(1, 5)));
+            info.example = "1.5";
+            return info;
+          }(),
+          &LogNormalGrading::deviation),
+      bind<LogNormalGrading>(
+          noted(quantity("smallest", "m", above(0), between(1e-6, 0.1), R"("0.2 mm")", "lower cut-off: no grain is smaller"),
+                "median / deviation^2"),
+          &LogNormalGrading::smallest),
+      bind<LogNormalGrading>(
+          noted(quantity("largest", "m", above(0), between(1e-6, 0.1), R"("0.9 mm")", "upper cut-off: no grain is larger"),
+                "median * deviation^2"),
+          &LogNormalGrading::largest),
+  }};
+  return section;
+}
+
+const Section<Grading>& grading_section() {
+  static const Section<Grading> section{{
+      bind_choice<Grading>(
+          choice("by", {"mass", "number"}, "what the shares, the curve of a table and lognormal are measured in"), &Grading::by),
+      bind_tables<Grading>(plain("classes", "a list of tables", "size classes of the grading"), class_section, &Grading::classes),
+      bind_table<Grading>(plain("table", "a table", "cumulative curve"), table_section, &Grading::table),
+      bind_table<Grading>(plain("lognormal", "a table", "log-normal sizes"), lognormal_section, &Grading::lognormal),
+  }};
+  return section;
+}
+
+// [materials.NAME]
+
+const Section<Material>& material_section() {
+  static const Section<Material> section{{
+      bind<Material>(quantity("density", "kg/m3", above(0), between(100, 2e4), R"("2650 kg/m3")", "of the solid grain"),
+                     &Material::density),
+      bind<Material>(quantity("youngs_modulus", "Pa", above(0), between(1e5, 1e12), R"("150 MPa")",
+                              "E; lower than the mineral's for speed, high against the stress"),
+                     &Material::youngs_modulus),
+      bind<Material>(number("poisson_ratio", Interval{-1, 0.5, true, false}, "nu", between(0, 0.5)), &Material::poisson_ratio),
+      bind<Material>(quantity("friction_angle", "rad", Interval{0, 90 * degree, false, true}, between(0, 60 * degree),
+                              R"("30 deg")", "between grains, mu = tan(angle)"),
+                     &Material::friction_angle),
+  }};
+  return section;
+}
+
+}  // namespace
+
+const Section<GrainOptions>& grains_section() {
+  static const Section<GrainOptions> section = [] {
+    Section<GrainOptions> s{{
+        bind<GrainOptions>(
+            noted(plain("file", "a path", "packing to use as it is: CSV x,y,z,r in metres, relative to the case file",
+                        R"("packing.csv")"),
+                  "grains are made from count and grading"),
+            &GrainOptions::file),
+        bind<GrainOptions>(noted(whole("count", 1, 1e8, "number of grains; with grading", "5000"), "required without file"),
+                           &GrainOptions::count),
+        bind<GrainOptions>(plain("material", "a name", "what the grains are made of: a table [materials.NAME]", R"("glass")"),
+                           &GrainOptions::material),
+        bind_table<GrainOptions>(plain("grading", "a table", "sizes of the grains"), grading_section, &GrainOptions::grading),
+    }};
+    // A packing file replaces count and grading.
+    auto& count = s.fields[1];
+    count.write = [write = count.write](const GrainOptions& g) { return g.file ? std::string() : write(g); };
+    auto& grading = s.fields[3];
+    grading.write_tables = [write = grading.write_tables](const std::string& path, const GrainOptions& g) {
+      return g.file || !g.grading.is_given() ? std::string() : write(path, g);
+    };
+    return s;
+  }();
+  return section;
+}
+
+/// Tables with names of the user's choice.
+Field<Case> materials_field() {
+  Field<Case> field;
+  field.info = plain("materials", "a table of tables", "one table [materials.NAME] for each material");
+  field.read = [](const TomlValue& value, Problems& problems, Case& c) {
+    if (!expect_table(value, problems)) return;
+    for (const TomlValue& entry : value.children) {
+      problems.key = "materials." + entry.key;
+      Material material;
+      material.name = entry.key;
+      read_table(entry, material_section(), problems, material);
+      c.materials.push_back(material);
+    }
+  };
+  field.write_tables = [](const std::string& path, const Case& c) {
+    std::string text;
+    for (const Material& m : c.materials)
+      text += "\n[" + path + "." + toml_key(m.name) + "]\n" + write_table("", material_section(), m);
+    return text;
+  };
+  field.describe = [](const std::string& path, std::vector<KeyDoc>& out) {
+    describe_table(path + ".NAME", material_section(), out);
+  };
+  return field;
+}
+
+const Section<ContactOptions>& contact_section() {
+  static const Section<ContactOptions> section{{
+      bind_choice<ContactOptions>(choice("law", {"linear-spring", "hertz-mindlin"}, "contact law"), &ContactOptions::law),
+      bind<ContactOptions>(number("stiffness_ratio", above(0), "k_s / k_n of the linear law", between(0.05, 2)),
+                           &ContactOptions::stiffness_ratio),
+      bind_choice<ContactOptions>(
+          choice("wall_elasticity", {"material", "rigid"}, "walls of the grains' own constants, or walls that do not yield"),
+          &ContactOptions::wall_elasticity),
+      bind<ContactOptions>(
+          noted(number("restitution", Interval{0, 1, true, false}, "coefficient of normal restitution"), "no viscous part"),
+          &ContactOptions::restitution),
+      bind<ContactOptions>(
+          number("wall_friction", at_least(0), "friction coefficient mu between grains and walls", between(0, 2)),
+          &ContactOptions::wall_friction),
+      bind<ContactOptions>(
+          number("rolling_stiffness", at_least(0), "alpha_r: rolling stiffness alpha_r k_s R_i R_j", between(0, 5)),
+          &ContactOptions::rolling_stiffness),
+      bind<ContactOptions>(
+          number("rolling_friction", at_least(0), "eta_r: rolling moment up to eta_r min(R_i, R_j) F_n", between(0, 1)),
+          &ContactOptions::rolling_friction),
+      bind<ContactOptions>(number("twisting_stiffness", at_least(0), "alpha_t: the same about the normal", between(0, 5)),
+                           &ContactOptions::twisting_stiffness),
+      bind<ContactOptions>(number("twisting_friction", at_least(0), "eta_t: the same about the normal", between(0, 1)),
+                           &ContactOptions::twisting_friction),
+  }};
+  return section;
+}
+
+}  // namespace puadem
