@@ -1,0 +1,126 @@
+#include "puadem/flow/multigrid.hpp"
+
+#include <HYPRE.h>
+#include <HYPRE_IJ_mv.h>
+#include <HYPRE_parcsr_ls.h>
+#include <mpi.h>
+
+#include <algorithm>
+
+#include "puadem/base/error.hpp"
+#include "puadem/flow/one_blas_thread.hpp"
+
+namespace puadem {
+
+namespace {
+
+/// MPI, which the library stands on: started by the first who needs it, without any launcher, and ended
+/// with the program.
+void start_mpi() {
+  static const struct Session {
+    bool ours = false;
+    Session() {
+      int running = 0;
+      MPI_Initialized(&running);
+      ours = !running;
+      int provided = 0;
+      if (ours) MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    }
+    ~Session() {
+      int ended = 0;
+      MPI_Finalized(&ended);
+      if (ours && !ended) MPI_Finalize();
+    }
+  } session;
+}
+
+HYPRE_ParCSRMatrix object_of(HYPRE_IJMatrix matrix) {
+  void* object = nullptr;
+  HYPRE_IJMatrixGetObject(matrix, &object);
+  return static_cast<HYPRE_ParCSRMatrix>(object);
+}
+HYPRE_ParVector object_of(HYPRE_IJVector vector) {
+  void* object = nullptr;
+  HYPRE_IJVectorGetObject(vector, &object);
+  return static_cast<HYPRE_ParVector>(object);
+}
+
+}  // namespace
+
+struct Multigrid::Parts {
+  HYPRE_IJMatrix matrix = nullptr;
+  HYPRE_IJVector right = nullptr, result = nullptr;
+  HYPRE_Solver solver = nullptr;
+
+  explicit Parts(int rows) {
+    HYPRE_IJMatrixCreate(MPI_COMM_SELF, 0, rows - 1, 0, rows - 1, &matrix);
+    HYPRE_IJMatrixSetObjectType(matrix, HYPRE_PARCSR);
+    for (auto* vector : {&right, &result}) {
+      HYPRE_IJVectorCreate(MPI_COMM_SELF, 0, rows - 1, vector);
+      HYPRE_IJVectorSetObjectType(*vector, HYPRE_PARCSR);
+      HYPRE_IJVectorInitialize(*vector);
+      HYPRE_IJVectorAssemble(*vector);
+    }
+  }
+  ~Parts() {
+    if (solver != nullptr) HYPRE_BoomerAMGDestroy(solver);
+    HYPRE_IJMatrixDestroy(matrix);
+    HYPRE_IJVectorDestroy(right);
+    HYPRE_IJVectorDestroy(result);
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+};
+
+Multigrid::Multigrid(const NetworkMatrix& matrix) {
+  start_mpi();
+  parts_ = std::make_unique<Parts>(matrix.rows());
+}
+
+Multigrid::~Multigrid() = default;
+
+void Multigrid::set_up(const NetworkMatrix& matrix) {
+  const OneBlasThread one;
+  std::vector<int> row(to_size(matrix.rows())), columns(to_size(matrix.rows()));
+  double scale = 0.0;  // numbers near 1, whatever the units
+  for (int r = 0; r < matrix.rows(); ++r) {
+    row[to_size(r)] = r;
+    columns[to_size(r)] = size_of(matrix.pattern[r]);
+    scale = std::max(scale, matrix.value[to_size(matrix.diagonal_entry[to_size(r)])]);
+  }
+  std::vector<double> value(matrix.value);
+  for (double& v : value) v /= scale;
+  HYPRE_IJMatrixInitialize(parts_->matrix);
+  HYPRE_IJMatrixSetValues(parts_->matrix, matrix.rows(), columns.data(), row.data(), matrix.pattern.index.data(), value.data());
+  HYPRE_IJMatrixAssemble(parts_->matrix);
+
+  HYPRE_Solver& solver = parts_->solver;
+  if (solver != nullptr) HYPRE_BoomerAMGDestroy(solver);
+  HYPRE_BoomerAMGCreate(&solver);
+  HYPRE_BoomerAMGSetPrintLevel(solver, 0);
+  HYPRE_BoomerAMGSetMaxIter(solver, 1);  // one cycle a call, whatever it leaves
+  HYPRE_BoomerAMGSetTol(solver, 0.0);
+  HYPRE_BoomerAMGSetCoarsenType(solver, 10);  // HMIS
+  HYPRE_BoomerAMGSetInterpType(solver, 6);    // extended
+  HYPRE_BoomerAMGSetPMaxElmts(solver, 4);
+  HYPRE_BoomerAMGSetCycleRelaxType(solver, 13, 1);  // Gauss-Seidel forwards on the way down,
+  HYPRE_BoomerAMGSetCycleRelaxType(solver, 14, 2);  // backwards on the way up: symmetric
+  HYPRE_BoomerAMGSetCycleRelaxType(solver, 9, 3);
+  HYPRE_BoomerAMGSetNumSweeps(solver, 1);
+  HYPRE_BoomerAMGSetup(solver, object_of(parts_->matrix), object_of(parts_->right), object_of(parts_->result));
+  const int error = HYPRE_GetError();
+  HYPRE_ClearAllErrors();
+  ensure(error == 0, "algebraic multigrid could not be set up for {} pressures (error {})", matrix.rows(), error);
+}
+
+void Multigrid::apply(std::span<const double> b, std::span<double> x) {
+  const int n = size_of(b);
+  std::ranges::fill(x, 0.0);
+  HYPRE_IJVectorSetValues(parts_->right, n, nullptr, b.data());
+  HYPRE_IJVectorSetValues(parts_->result, n, nullptr, x.data());
+  HYPRE_BoomerAMGSolve(parts_->solver, object_of(parts_->matrix), object_of(parts_->right), object_of(parts_->result));
+  HYPRE_ClearAllErrors();  // it counts a cycle that missed the tolerance of nil as one
+  HYPRE_IJVectorGetValues(parts_->result, n, nullptr, x.data());
+}
+
+}  // namespace puadem

@@ -1,0 +1,69 @@
+#include "puadem/flow/network_matrix.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace puadem {
+
+NetworkMatrix::NetworkMatrix(int rows, std::span<const std::array<int, 2>> links) : link(links.begin(), links.end()) {
+  std::vector<int> count(to_size(rows) + 1, 0);
+  for (const auto& [i, j] : link) {
+    assert(i != j);
+    ++count[to_size(i) + 1];
+    ++count[to_size(j) + 1];
+  }
+  for (int r = 0; r < rows; ++r) count[to_size(r) + 1] += count[to_size(r)];
+  std::vector<int> neighbour(to_size(count.back()));
+  std::vector<int> next(count.begin(), count.end() - 1);
+  for (const auto& [i, j] : link) {
+    neighbour[to_size(next[to_size(i)]++)] = j;
+    neighbour[to_size(next[to_size(j)]++)] = i;
+  }
+  pattern.start.reserve(to_size(rows) + 1);
+  for (int r = 0; r < rows; ++r) {
+    const auto begin = neighbour.begin() + count[to_size(r)], end = neighbour.begin() + count[to_size(r) + 1];
+    std::sort(begin, end);
+    const auto last = std::unique(begin, end);
+    const auto middle = std::lower_bound(begin, last, r);
+    pattern.index.insert(pattern.index.end(), begin, middle);
+    diagonal_entry.push_back(size_of(pattern.index));
+    pattern.index.push_back(r);
+    pattern.index.insert(pattern.index.end(), middle, last);
+    pattern.start.push_back(size_of(pattern.index));
+  }
+  value.resize(pattern.index.size());
+  link_entry.reserve(link.size());
+  const auto entry = [&](int row, int column) {
+    const auto columns = pattern[row];
+    return pattern.start[to_size(row)] + static_cast<int>(std::ranges::lower_bound(columns, column) - columns.begin());
+  };
+  for (const auto& [i, j] : link) link_entry.push_back({entry(i, j), entry(j, i)});
+}
+
+void NetworkMatrix::set(std::span<const double> conductance, std::span<const double> diagonal) {
+  std::ranges::fill(value, 0.0);
+  for (int i = 0; i < rows(); ++i) value[to_size(diagonal_entry[to_size(i)])] = diagonal[to_size(i)];
+  for (std::size_t k = 0; k < link.size(); ++k) {
+    const auto [i, j] = link[k];
+    value[to_size(link_entry[k][0])] -= conductance[k];
+    value[to_size(link_entry[k][1])] -= conductance[k];
+    value[to_size(diagonal_entry[to_size(i)])] += conductance[k];
+    value[to_size(diagonal_entry[to_size(j)])] += conductance[k];
+  }
+}
+
+double NetworkMatrix::row_times(int r, std::span<const double> x) const {
+  double sum = 0.0;
+  for (int e = pattern.start[to_size(r)]; e < pattern.start[to_size(r) + 1]; ++e)
+    sum += value[to_size(e)] * x[to_size(pattern.index[to_size(e)])];
+  return sum;
+}
+double NetworkMatrix::row_magnitude(int r, std::span<const double> x) const {
+  double sum = 0.0;
+  for (int e = pattern.start[to_size(r)]; e < pattern.start[to_size(r) + 1]; ++e)
+    sum += std::abs(value[to_size(e)] * x[to_size(pattern.index[to_size(e)])]);
+  return sum;
+}
+
+}  // namespace puadem

@@ -1,0 +1,136 @@
+#include "puadem/flow/pressure_system.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "puadem/base/error.hpp"
+#include "puadem/flow/cholesky_factor.hpp"
+#include "puadem/flow/multigrid.hpp"
+#include "puadem/flow/network_matrix.hpp"
+
+namespace puadem {
+
+namespace {
+
+double inner(std::span<const double> a, std::span<const double> b) {
+  return parallel_sum<double>(size_of(a), [&](int i) { return a[to_size(i)] * b[to_size(i)]; });
+}
+
+bool chooses_cholesky(const PressureSolverOptions& options, int unknowns) {
+  using enum PressureSolverOptions::Method;
+  return options.method == cholesky || (options.method == automatic && unknowns <= options.cholesky_limit);
+}
+
+}  // namespace
+
+struct PressureSystem::Parts {
+  PressureSolverOptions options;
+  NetworkMatrix matrix;
+  std::optional<CholeskyFactor> factor;
+  std::optional<Multigrid> multigrid;
+  std::vector<double> residual, correction, direction, product;
+
+  Parts(int unknowns, std::span<const std::array<int, 2>> links, const PressureSolverOptions& o)
+      : options(o), matrix(unknowns, links), residual(to_size(unknowns)), correction(to_size(unknowns)) {
+    if (unknowns == 0) return;
+    if (chooses_cholesky(o, unknowns)) {
+      factor.emplace(matrix);
+    } else {
+      multigrid.emplace(matrix);
+      direction.resize(to_size(unknowns));
+      product.resize(to_size(unknowns));
+    }
+  }
+
+  /// residual = b - A p; returns its norm.
+  double find_residual(std::span<const double> b, std::span<const double> p) {
+    parallel_for(matrix.rows(), [&](int r) { residual[to_size(r)] = b[to_size(r)] - matrix.row_times(r, p); });
+    return std::sqrt(inner(residual, residual));
+  }
+
+  /// Norm of a residual that the rounding of the pressures alone can leave.
+  double rounding(std::span<const double> b, std::span<const double> p) const {
+    const double squares = parallel_sum<double>(matrix.rows(), [&](int r) {
+      const double terms = matrix.row_magnitude(r, p) + std::abs(b[to_size(r)]);
+      return terms * terms;
+    });
+    return 4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(squares);
+  }
+
+  /// correction = A^-1 residual, to `target` of the residual's norm or the limit of iterations; uses the
+  /// residual up. Returns the iterations.
+  int conjugate_gradients(double target, int limit) {
+    std::ranges::fill(correction, 0.0);
+    const int n = matrix.rows();
+    double before = 1.0;
+    for (int iteration = 0; iteration < limit; ++iteration) {
+      if (std::sqrt(inner(residual, residual)) <= target) return iteration;
+      multigrid->apply(residual, product);
+      const double now = inner(residual, product);
+      const double share = iteration == 0 ? 0.0 : now / before;
+      before = now;
+      parallel_for(n, [&](int i) { direction[to_size(i)] = product[to_size(i)] + share * direction[to_size(i)]; });
+      parallel_for(n, [&](int r) { product[to_size(r)] = matrix.row_times(r, direction); });
+      const double step = now / inner(direction, product);
+      parallel_for(n, [&](int i) {
+        correction[to_size(i)] += step * direction[to_size(i)];
+        residual[to_size(i)] -= step * product[to_size(i)];
+      });
+    }
+    return limit;
+  }
+};
+
+PressureSystem::PressureSystem(int unknowns, std::span<const std::array<int, 2>> links, const PressureSolverOptions& options)
+    : parts_(std::make_unique<Parts>(unknowns, links, options)) {}
+PressureSystem::~PressureSystem() = default;
+PressureSystem::PressureSystem(PressureSystem&&) noexcept = default;
+PressureSystem& PressureSystem::operator=(PressureSystem&&) noexcept = default;
+
+void PressureSystem::set(std::span<const double> conductance, std::span<const double> diagonal) {
+  parts_->matrix.set(conductance, diagonal);
+  if (parts_->factor) parts_->factor->factorise(parts_->matrix);
+  if (parts_->multigrid) parts_->multigrid->set_up(parts_->matrix);
+}
+
+PressureSolveReport PressureSystem::solve(std::span<const double> right_hand_side, std::span<double> pressure) {
+  Parts& s = *parts_;
+  assert(size_of(right_hand_side) == s.matrix.rows() && pressure.size() == right_hand_side.size());
+  PressureSolveReport report;
+  const double scale = std::sqrt(inner(right_hand_side, right_hand_side));
+  if (scale == 0.0) {
+    std::ranges::fill(pressure, 0.0);
+    return report;
+  }
+  if (s.factor) s.factor->solve(right_hand_side, pressure);
+  const double target = s.options.tolerance * scale;
+  double norm = s.find_residual(right_hand_side, pressure);
+  // A correction costs little beside the first solve, and takes away what rounding or a restart left.
+  for (double last = std::numeric_limits<double>::infinity(); norm > target && norm < 0.5 * last;) {
+    last = norm;
+    if (s.factor) {
+      s.factor->solve(s.residual, s.correction);
+    } else {
+      report.iterations += s.conjugate_gradients(0.5 * target, s.options.iteration_limit - report.iterations);
+    }
+    parallel_for(s.matrix.rows(), [&](int i) { pressure[to_size(i)] += s.correction[to_size(i)]; });
+    norm = s.find_residual(right_hand_side, pressure);
+  }
+  report.residual = norm / scale;
+  ensure(
+      norm <= std::max(target, s.rounding(right_hand_side, pressure)),
+      "the pressures of {} pores could not be found: residual {:.2e} of the right-hand side after {} iterations, allowed {:.0e}",
+      s.matrix.rows(), report.residual, report.iterations, s.options.tolerance);
+  return report;
+}
+
+int PressureSystem::unknowns() const { return parts_->matrix.rows(); }
+bool PressureSystem::is_factorised() const { return parts_->factor.has_value(); }
+double PressureSystem::bytes() const {
+  const double matrix = 12.0 * parts_->matrix.entries() + 16.0 * size_of(parts_->matrix.link);
+  return matrix + (parts_->factor ? parts_->factor->bytes() : 0.0);
+}
+
+}  // namespace puadem
