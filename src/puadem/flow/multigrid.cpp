@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "puadem/base/error.hpp"
 #include "puadem/flow/one_blas_thread.hpp"
@@ -23,8 +24,10 @@ void start_mpi() {
       int running = 0;
       MPI_Initialized(&running);
       ours = !running;
+      if (!ours) return;
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);  // one process needs no daemon beside it
       int provided = 0;
-      if (ours) MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+      MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     }
     ~Session() {
       int ended = 0;
