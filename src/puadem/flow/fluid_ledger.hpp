@@ -1,20 +1,8 @@
 #pragma once
 
-#include <cmath>
+#include "puadem/base/compensated_sum.hpp"
 
 namespace puadem {
-
-/// A sum that keeps what rounding drops (Neumaier 1974, ZAMM 54, 39).
-struct CompensatedSum {
-  double sum = 0.0, rest = 0.0;
-
-  void add(double term) {
-    const double next = sum + term;
-    rest += std::abs(sum) >= std::abs(term) ? (sum - next) + term : (term - next) + sum;
-    sum = next;
-  }
-  double value() const { return sum + rest; }
-};
 
 /// Volumes that crossed the border of the counted pores, booked one by one as they move and never
 /// read from the state [m3].

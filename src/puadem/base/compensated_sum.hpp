@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cmath>
+
+namespace puadem {
+
+/// A sum that keeps what rounding drops (Neumaier 1974, ZAMM 54, 39).
+struct CompensatedSum {
+  double sum = 0.0, rest = 0.0;
+
+  void add(double term) {
+    const double next = sum + term;
+    rest += std::abs(sum) >= std::abs(term) ? (sum - next) + term : (term - next) + sum;
+    sum = next;
+  }
+  double value() const { return sum + rest; }
+};
+
+}  // namespace puadem
