@@ -18,6 +18,7 @@ double shear_energy(const LaneVec3& h, int lane, double stiffness) {
 double kinetic_energy(const GrainSystem& s) {
   double energy = 0.0;
   const double half = 0.5 * s.time_step;
+  const Vec3 size = s.domain.size();
   for (int k = 0; k < s.owned; ++k) {
     const GrainRecord& r = s.record[to_size(k)];
     const int begin = s.row_start[to_size(k)], end = s.row_start[to_size(k) + 1];
@@ -29,7 +30,11 @@ double kinetic_energy(const GrainSystem& s) {
         const int place = s.row[to_size(e)];
         torque += (place % 2 == 1 ? 1.0 : -1.0) * vec3(s.roll_slot[to_size(place / 2)].moment);
       }
-    const Vec3 velocity = vec3(r.drift) + (half / mass_of(r)) * force, spin = vec3(r.spin) + (half / inertia_of(r)) * torque;
+    Vec3 velocity = vec3(r.drift) + (half / mass_of(r)) * force;
+    if (s.motion.strain_with_box)
+      for (int axis = 0; axis < 3; ++axis)
+        velocity[axis] -= s.box_rate[axis] * (r.place[axis] - s.domain.lower[axis]) / size[axis];
+    const Vec3 spin = vec3(r.spin) + (half / inertia_of(r)) * torque;
     energy += 0.5 * mass_of(r) * squared_norm(velocity) + 0.5 * inertia_of(r) * squared_norm(spin);
   }
   return energy;
@@ -40,8 +45,22 @@ double kinetic_energy(const GrainSystem& s) {
 void open_energy_book(GrainSystem& system) {
   system.energy = {};
   system.energy.is_kept = true;
+  system.energy.last_box_rate = system.box_rate;
   for (Wall& wall : system.walls) wall.last_velocity = wall.velocity;
   system.energy.shear = energies(system).shear;  // what shear springs hold already counts as taken up
+}
+
+double image_power(const GrainSystem& s, const Vec3& box_rate) {
+  double power = 0.0;
+  const auto shift = [&](int record, int axis) {
+    return record < s.owned ? 0 : s.image_shift[to_size(record - s.owned)][to_size(axis)];
+  };
+  for_each_grain_contact(s, [&](int i, int j, const Vec3&, int slot) {
+    if (i < s.owned && j < s.owned) return;
+    const Vec3 force = vec3(s.slot[to_size(slot)].force);
+    for (int axis = 0; axis < 3; ++axis) power -= force[axis] * box_rate[axis] * (shift(j, axis) - shift(i, axis));
+  });
+  return power;
 }
 
 Energies energies(const GrainSystem& s) {
@@ -52,7 +71,7 @@ Energies energies(const GrainSystem& s) {
   e.roll_work = s.energy.roll;
   e.viscous = s.energy.viscous;
   e.damping = s.energy.damping;
-  e.input = s.energy.walls + s.energy.body;
+  e.input = s.energy.walls + s.energy.box + s.energy.body;
   std::visit(
       [&]<ContactLaw Law>(const Law&) {
         // The overlap follows from force and stiffness of the slot only without a viscous part; the places know it.

@@ -6,7 +6,7 @@ namespace puadem {
 
 /// Where the energy of a system is, and where it went since the book was opened [J], theory 2.16.
 struct Energies {
-  double kinetic = 0.0;     ///< of translation and rotation at the present places
+  double kinetic = 0.0;     ///< of translation (relative to a box that grains strain with) and rotation at the present places
   double normal = 0.0;      ///< stored in normal springs
   double shear = 0.0;       ///< stored in shear springs; linear law only, the incremental Mindlin law has no potential
   double friction = 0.0;    ///< lost in sliding; linear law only
@@ -14,7 +14,7 @@ struct Energies {
   double roll_work = 0.0;   ///< all that rolling and twisting resistance took up
   double viscous = 0.0;
   double damping = 0.0;
-  double input = 0.0;  ///< work of walls, gravity and external forces
+  double input = 0.0;  ///< work of walls, of the straining box, of gravity and external forces
 
   double stored() const { return kinetic + normal; }
   double taken() const { return shear_work + roll_work + viscous + damping; }
@@ -22,6 +22,9 @@ struct Energies {
 
 /// Opens the book: energies from here on. Forces must be those of the present places.
 void open_energy_book(GrainSystem& system);
+
+/// Power that the box spends on contacts across its periodic faces at a velocity `box_rate` of its upper corner [W].
+double image_power(const GrainSystem& system, const Vec3& box_rate);
 
 /// @pre the forces are those of the present places
 Energies energies(const GrainSystem& system);

@@ -66,6 +66,8 @@ struct EnergyBook {
   double viscous = 0.0;  ///< lost in viscous contacts
   double damping = 0.0;  ///< lost to local damping
   double walls = 0.0;    ///< done by walls on grains
+  double box = 0.0;      ///< done by the straining of a box that the grains follow
+  Vec3 last_box_rate;    ///< of the step before [m/s]
   double body = 0.0;     ///< done by gravity and external forces
 };
 

@@ -7,6 +7,7 @@
 #include "puadem/base/error.hpp"
 #include "puadem/dem/contact_forces.hpp"
 #include "puadem/dem/contacts.hpp"
+#include "puadem/dem/energy.hpp"
 #include "puadem/dem/guards.hpp"
 #include "puadem/dem/neighbour_list.hpp"
 
@@ -29,6 +30,7 @@ struct MotionLoop {
   Lanes gravity;
   Lanes lower;
   Lanes strain_rate;  ///< of the homogeneous field that damping does not act on [1/s]
+  Lanes booked_rate;  ///< its mean before and after the present places, for the energy book [1/s]
   double time_step;
   double damping;
   bool keeps_energy;
@@ -59,6 +61,7 @@ struct Motion {
   double fastest = 0.0;  ///< largest squared speed relative to the box [m2/s2]
   double damping = 0.0;  ///< energy lost to local damping [J]
   double body = 0.0;     ///< work of gravity and external forces [J]
+  double box = 0.0;      ///< work of the straining box, images left out [J]
 };
 
 PUADEM_INLINE double dot3(const Lanes& a, const Lanes& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -92,9 +95,10 @@ PUADEM_CLONES Motion move_chunk(const MotionLoop& loop, int begin, int end) {
       spin_change = damped(spin_push, r.spin, loop.damping);
     }
     if (loop.keeps_energy) {  // with the mean of the velocities before and after, the balance of a step is exact
-      const Lanes mean = r.drift + 0.5 * change, mean_spin = r.spin + 0.5 * spin_change;
+      const Lanes mean = r.drift + 0.5 * change - field, mean_spin = r.spin + 0.5 * spin_change;
       motion.damping += r.drift[3] * dot3(push - change, mean) + r.spin[3] * dot3(spin_push - spin_change, mean_spin);
       motion.body += dt * dot3(body, mean);
+      motion.box -= dt * dot3(loop.booked_rate, sum.force * (r.place - loop.lower) + r.drift[3] * mean * mean);
     }
     r.drift += change;
     r.spin += spin_change;
@@ -150,19 +154,22 @@ void move_grains(GrainSystem& s) {
   const Vec3 size = s.domain.size();
   Lanes strain_rate{};
   if (s.motion.strain_with_box) strain_rate = Lanes{s.box_rate.x / size.x, s.box_rate.y / size.y, s.box_rate.z / size.z, 0.0};
-  const MotionLoop loop{.record = s.record.data(),
-                        .slot = s.slot.data(),
-                        .roll_slot = s.roll_slot.empty() ? nullptr : s.roll_slot.data(),
-                        .row_start = s.row_start.data(),
-                        .row = s.row.data(),
-                        .identity = s.identity.data(),
-                        .external = s.external_force.empty() ? nullptr : s.external_force.data(),
-                        .gravity = Lanes{s.motion.gravity.x, s.motion.gravity.y, s.motion.gravity.z, 0.0},
-                        .lower = Lanes{s.domain.lower.x, s.domain.lower.y, s.domain.lower.z, 0.0},
-                        .strain_rate = strain_rate,
-                        .time_step = s.time_step,
-                        .damping = s.motion.damping,
-                        .keeps_energy = s.energy.is_kept};
+  const Vec3 booked = 0.5 * (s.energy.last_box_rate + s.box_rate);
+  const MotionLoop loop{
+      .record = s.record.data(),
+      .slot = s.slot.data(),
+      .roll_slot = s.roll_slot.empty() ? nullptr : s.roll_slot.data(),
+      .row_start = s.row_start.data(),
+      .row = s.row.data(),
+      .identity = s.identity.data(),
+      .external = s.external_force.empty() ? nullptr : s.external_force.data(),
+      .gravity = Lanes{s.motion.gravity.x, s.motion.gravity.y, s.motion.gravity.z, 0.0},
+      .lower = Lanes{s.domain.lower.x, s.domain.lower.y, s.domain.lower.z, 0.0},
+      .strain_rate = strain_rate,
+      .booked_rate = s.motion.strain_with_box ? Lanes{booked.x / size.x, booked.y / size.y, booked.z / size.z, 0.0} : Lanes{},
+      .time_step = s.time_step,
+      .damping = s.motion.damping,
+      .keeps_energy = s.energy.is_kept};
   const int chunks = (s.owned + grains_per_chunk - 1) / grains_per_chunk;
   std::vector<Motion> moved(to_size(chunks));
   parallel_for(
@@ -177,8 +184,11 @@ void move_grains(GrainSystem& s) {
     squared = m.fastest > squared || m.fastest != m.fastest ? m.fastest : squared;
     s.energy.damping += m.damping;
     s.energy.body += m.body;
+    s.energy.box += m.box;
   }
   s.drift_limit = std::sqrt(squared);
+  if (s.energy.is_kept && s.motion.strain_with_box) s.energy.box += s.time_step * image_power(s, booked);
+  s.energy.last_box_rate = s.box_rate;
   move_box(s);
   ++s.steps;
   s.is_evaluated = false;
