@@ -95,6 +95,18 @@ TEST(Compaction, LeavesFrictionAsGivenWithoutATarget) {
   EXPECT_NEAR(packing.report.friction_used, std::tan(std::numbers::pi / 6), 1e-12);
 }
 
+// Friction on the side walls carries part of the stress, so that two opposite walls need not bear the same.
+TEST(Compaction, ComesToRestBetweenRoughWalls) {
+  ContactOptions contact;
+  contact.wall_friction = 0.4;
+  CompactionOptions options;
+  options.unbalanced = 5e-3;
+  options.max_steps = 100'000;
+  Packing packing = make_packing(beads(300), glass(), contact, options);
+  const GrainMeasures m = measure(*packing.system);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(m.stress[to_size(axis)][axis], options.stress, 0.015 * options.stress);
+}
+
 std::string refusal(double porosity) {
   CompactionOptions options;
   options.porosity = porosity;

@@ -7,7 +7,7 @@
 namespace puadem::verification {
 
 TriaxialBalance run_triaxial(const TriaxialSetUp& set_up) {
-  const double diameter = 1e-3, inertial_number = 2e-3;
+  const double diameter = 1e-3, inertial_number = 1e-3;
   const Material grains{
       .name = "grains", .density = 2650, .youngs_modulus = 2e8, .poisson_ratio = 0.2, .friction_angle = std::atan(0.5)};
   ContactOptions contact;
@@ -34,7 +34,9 @@ TriaxialBalance run_triaxial(const TriaxialSetUp& set_up) {
   balance.start = energies(s);
   const long interval = 100;
   balance.steps = interval * std::lround(set_up.axial_strain / rate / s.time_step / static_cast<double>(interval));
-  balance.rows = run_program(s, triaxial(set_up.stress, rate, 2 * rate), balance.steps, interval);
+  BoxProgram program = triaxial(set_up.stress, rate, 2 * rate);
+  program.relaxation_steps = 15;
+  balance.rows = run_program(s, program, balance.steps, interval);
   balance.end = energies(s);
   return balance;
 }
