@@ -9,8 +9,8 @@ namespace puadem {
 namespace {
 
 constexpr int blocks_per_chunk = 64;
-constexpr int blocks_ahead = 4;             // whose records are asked for while a block is worked on
-constexpr int blocks_worth_threads = 6144;  // below, waking a thread costs more than it does
+constexpr int blocks_ahead = 4;            // whose records are asked for while a block is worked on
+constexpr int blocks_worth_threads = 512;  // below, a second thread brings nothing
 
 struct GrainLoop {
   const GrainRecord* record;
@@ -169,6 +169,19 @@ void sum_wall_force(GrainSystem& system, int w, const ContactSlot* slot) {
   system.walls[to_size(w)].stiffness = moment[3];
 }
 
+/// Blocks of one wall that one thread does in one go.
+struct WallChunk {
+  int wall, begin, end;
+};
+
+std::vector<WallChunk> wall_chunks(const GrainSystem& s) {
+  std::vector<WallChunk> chunks;
+  for (int w = 0; w < size_of(s.walls); ++w)
+    for (int b = s.wall_start[to_size(w)]; b < s.wall_start[to_size(w) + 1]; b += blocks_per_chunk)
+      chunks.push_back({w, b, std::min(b + blocks_per_chunk, s.wall_start[to_size(w) + 1])});
+  return chunks;
+}
+
 double sum(const Lanes& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
 void book(EnergyBook& energy, const ContactWork& work) {
@@ -183,25 +196,26 @@ void update_forces(GrainSystem& s) {
   const GrainLoop loop{s.record.data(),   s.pairs.grains.data(), s.pairs.materials, s.time_step,
                        &s.grain_contacts, s.slot.data(),         &s.contact,        roll_slot};
   const int blocks = s.grain_contacts.size();
-  const int chunks = (blocks + blocks_per_chunk - 1) / blocks_per_chunk;
-  std::vector<ContactWork> work(full ? to_size(chunks) + s.walls.size() : 0);
-  parallel_for(
-      chunks,
-      [&](int chunk) {
-        const int begin = chunk * blocks_per_chunk;
-        grain_blocks<Law, full>(loop, begin, std::min(begin + blocks_per_chunk, blocks), full ? &work[to_size(chunk)] : nullptr);
-      },
-      blocks < blocks_worth_threads ? blocks : 8);
   ContactSlot* wall_slot = s.slot.data() + lane_count * blocks;
-  for (int w = 0; w < size_of(s.walls); ++w) {
+  RollSlot* wall_roll_slot = roll_slot == nullptr ? nullptr : roll_slot + lane_count * blocks;
+  const int chunks = (blocks + blocks_per_chunk - 1) / blocks_per_chunk;
+  const std::vector<WallChunk> at_walls = wall_chunks(s);
+  std::vector<ContactWork> work(full ? to_size(chunks) + at_walls.size() : 0);
+  const auto run_chunk = [&](int chunk) {
+    ContactWork* done = full ? &work[to_size(chunk)] : nullptr;
+    if (chunk < chunks) {
+      const int begin = chunk * blocks_per_chunk;
+      return grain_blocks<Law, full>(loop, begin, std::min(begin + blocks_per_chunk, blocks), done);
+    }
+    const WallChunk& c = at_walls[to_size(chunk - chunks)];
     const WallLoop wall_loop{
-        s.record.data(), s.pairs.walls.data(), s.pairs.materials,
-        s.time_step,     &s.walls[to_size(w)], &s.wall_contacts,
-        wall_slot,       &s.contact,           roll_slot == nullptr ? nullptr : roll_slot + lane_count * blocks};
-    wall_blocks<Law, full>(wall_loop, s.wall_start[to_size(w)], s.wall_start[to_size(w) + 1],
-                           full ? &work[to_size(chunks + w)] : nullptr);
-    sum_wall_force(s, w, wall_slot);
-  }
+        s.record.data(), s.pairs.walls.data(), s.pairs.materials, s.time_step, &s.walls[to_size(c.wall)], &s.wall_contacts,
+        wall_slot,       &s.contact,           wall_roll_slot};
+    wall_blocks<Law, full>(wall_loop, c.begin, c.end, done);
+  };
+  const int all = chunks + size_of(at_walls);
+  parallel_for(all, run_chunk, blocks < blocks_worth_threads ? all : 2);
+  for (int w = 0; w < size_of(s.walls); ++w) sum_wall_force(s, w, wall_slot);
   if (s.energy.is_kept)
     for (const ContactWork& w : work) book(s.energy, w);
 }

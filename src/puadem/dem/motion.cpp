@@ -16,8 +16,8 @@ namespace puadem {
 namespace {
 
 constexpr long guard_interval = 100;
-constexpr int grains_per_chunk = 512;
-constexpr int grains_worth_threads = 8192;  // below, waking a thread costs more than it does
+constexpr int grains_per_chunk = 256;
+constexpr int grains_worth_threads = 1024;  // below, a second thread brings nothing
 
 struct MotionLoop {
   GrainRecord* record;

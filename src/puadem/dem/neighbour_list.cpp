@@ -14,6 +14,8 @@ namespace puadem {
 
 namespace {
 
+constexpr int grains_per_group = 128;
+
 std::uint64_t spread_bits(std::uint64_t v) {
   v &= 0x1fffff;
   v = (v | v << 32) & 0x1f00000000ffffULL;
@@ -126,24 +128,35 @@ void list_grain_contacts(GrainSystem& s, const ContactHistory& history) {
   std::vector<Lanes> place(to_size(spheres));
   for (int k = 0; k < spheres; ++k) place[to_size(k)] = s.record[to_size(k)].place;
 
-  // Touching pairs stand together, so that blocks without a contact leave the kernel early. A pair across a
-  // periodic face is listed by the grain of lower identity and the image of the other.
+  // Grains are taken in groups that are neighbours in space. Within a group the pairs that touch stand
+  // together, so that blocks without a contact leave the kernel early. A pair across a periodic face is listed
+  // by the grain of lower identity and the image of the other.
   std::vector<Candidate> touching, near;
   const int* identity = s.identity.data();
-  for_each_close_pair(make_sized_grids(place, s.skin), place, s.skin, [&](int a, int b) {
-    if (a >= s.owned && b >= s.owned) return;
-    const Candidate pair = identity[a] < identity[b] ? Candidate{a, b} : Candidate{b, a};
-    if (pair.first >= s.owned || identity[a] == identity[b]) return;
-    const Lanes d = place[to_size(a)] - place[to_size(b)];
-    const double reach = place[to_size(a)][3] + place[to_size(b)][3];
-    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach ? touching : near).push_back(pair);
-  });
   s.grain_contacts = {};
   const int dummy = spheres;
   const auto owner = [&](const Candidate& c) { return identity[c.first]; };
   const auto partner = [&](const Candidate& c) { return identity[c.second]; };
-  append(s.grain_contacts, touching, history, resists_rolling(s.contact), has_dashpots(s), dummy, dummy, owner, partner);
-  append(s.grain_contacts, near, history, resists_rolling(s.contact), has_dashpots(s), dummy, dummy, owner, partner);
+  const auto list_group = [&] {
+    for (std::vector<Candidate>* pairs : {&touching, &near}) {
+      append(s.grain_contacts, *pairs, history, resists_rolling(s.contact), has_dashpots(s), dummy, dummy, owner, partner);
+      pairs->clear();
+    }
+  };
+  int group = 0;
+  for_each_close_pair(make_sized_grids(place, s.skin), place, s.skin, [&](int a, int b) {
+    if (a >= s.owned && b >= s.owned) return;
+    const Candidate pair = identity[a] < identity[b] ? Candidate{a, b} : Candidate{b, a};
+    if (pair.first >= s.owned || identity[a] == identity[b]) return;
+    if (a / grains_per_group != group) {
+      list_group();
+      group = a / grains_per_group;
+    }
+    const Lanes d = place[to_size(a)] - place[to_size(b)];
+    const double reach = place[to_size(a)][3] + place[to_size(b)][3];
+    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach ? touching : near).push_back(pair);
+  });
+  list_group();
 }
 
 void list_wall_contacts(GrainSystem& s, const ContactHistory& history) {
