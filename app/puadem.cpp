@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -306,9 +305,6 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace puadem;
-  // Threads that spin while they wait steal the core of whatever they wait for. The runtime reads its policy
-  // before main, so the program starts itself again with it.
-  if (std::getenv("OMP_WAIT_POLICY") == nullptr && setenv("OMP_WAIT_POLICY", "passive", 1) == 0) execv("/proc/self/exe", argv);
   try {
     return dispatch(argc, argv);
   } catch (const InputError& error) {
