@@ -2,24 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "puadem/dem/contact_forces.hpp"
 #include "puadem/dem/contacts.hpp"
+#include "puadem/dem/fabric.hpp"
 
 namespace puadem {
-
-namespace {
-
-void add_outer(Tensor& t, const Vec3& f, const Vec3& d) {
-  for (int a = 0; a < 3; ++a) t[static_cast<unsigned>(a)] += f[a] * d;
-}
-
-}  // namespace
 
 GrainMeasures measure(const GrainSystem& s) {
   GrainMeasures m;
   const double volume = s.domain.volume();
-  std::vector<int> count(to_size(s.owned), 0);
   Tensor walls{};
   double contact_force = 0.0;
   const auto stiffen = [&](const Vec3& d, double kn) {
@@ -33,8 +26,6 @@ GrainMeasures measure(const GrainSystem& s) {
     contact_force += norm(vec3(c.force));
     const double ri = radius_of(s.record[to_size(i)]), rj = radius_of(s.record[to_size(j)]);
     m.largest_overlap = std::max(m.largest_overlap, (ri + rj - norm(branch)) / std::min(ri, rj));
-    ++count[to_size(owner_of(s, i))];
-    ++count[to_size(owner_of(s, j))];
     ++m.contacts;
   });
   for_each_wall_contact(s, [&](int, int k, const Vec3& branch, int slot) {
@@ -44,14 +35,14 @@ GrainMeasures measure(const GrainSystem& s) {
     contact_force += norm(vec3(c.force));
     const double r = radius_of(s.record[to_size(k)]);
     m.largest_overlap = std::max(m.largest_overlap, (r - norm(branch)) / r);
-    ++count[to_size(k)];
     ++m.contacts;
   });
   for (unsigned a = 0; a < 3; ++a) {
     m.pair_stress[a] *= 1.0 / volume;
     m.stress[a] = m.pair_stress[a] + walls[a] * (1.0 / volume);
-    m.mean_stress += m.stress[a][static_cast<int>(a)] / 3.0;
   }
+  m.mean_stress = trace(m.stress) / 3.0;
+  m.deviatoric_stress = deviatoric_invariant(m.stress);
   for (const Wall& wall : s.walls)
     if (wall.face >= 0) {
       const int axis = axis_of(wall.face);
@@ -59,20 +50,16 @@ GrainMeasures measure(const GrainSystem& s) {
     }
 
   double net_force = 0.0;
-  long ends = 0, inner_ends = 0, inner = 0;
   for (int k = 0; k < s.owned; ++k) {
     const SlotSum sum = sum_slots(s.slot.data(), s.row.data(), s.row_start[to_size(k)], s.row_start[to_size(k) + 1]);
     Vec3 force = vec3(sum.force) + mass_of(s.record[to_size(k)]) * s.motion.gravity;
     if (!s.external_force.empty()) force += s.external_force[to_size(s.identity[to_size(k)])];
     net_force += norm(force);
-    ends += count[to_size(k)];
-    if (count[to_size(k)] >= 4) {
-      inner_ends += count[to_size(k)];
-      ++inner;
-    }
   }
-  m.coordination = static_cast<double>(ends) / s.owned;
-  m.coordination_inner = inner > 0 ? static_cast<double>(inner_ends) / static_cast<double>(inner) : 0.0;
+  const GrainContacts contacts = count_contacts(s);
+  m.coordination = std::accumulate(contacts.count.begin(), contacts.count.end(), 0.0) / s.owned;
+  const int held = s.owned - contacts.rattlers;
+  m.coordination_inner = held > 0 ? static_cast<double>(contacts.backbone_ends) / held : 0.0;
   if (m.contacts > 0 && contact_force > 0.0) m.unbalanced = (net_force / s.owned) / (contact_force / m.contacts);
   return m;
 }
