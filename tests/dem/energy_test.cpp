@@ -102,7 +102,7 @@ TEST(Energy, ViscousContactsBookWhatTheyTake) {
   ContactOptions contact = contact_of(ContactOptions::Law::hertz_mindlin);
   contact.restitution = 0.5;
   const Balance b = squeeze(contact, 0.0);
-  EXPECT_LT(std::abs(b.residual), 2e-3);  // the viscous force is that of half a step before
+  EXPECT_LT(std::abs(b.residual), 1e-4);
   EXPECT_GT(b.end.viscous, 1e-3 * b.end.input);
 }
 
