@@ -103,6 +103,7 @@ struct GrainSystem {
 
   double skin = 0.0;            ///< of the neighbour list [m]
   double slack = 0.0;           ///< bound on the approach since the list was made [m]
+  double grown = 0.0;           ///< bound on the growth of a radius since the list was made [m]
   double drift_limit = 0.0;     ///< largest speed relative to the box in the last step [m/s]
   std::vector<Vec3> listed_at;  ///< positions at which the list was made, by record [m]
   Domain listed_in;             ///< the box then

@@ -225,24 +225,24 @@ void remember_places(GrainSystem& s) {
   s.listed_in = s.domain;
   s.walls_listed_at.clear();
   for (const Wall& wall : s.walls) s.walls_listed_at.push_back(wall.point);
-  s.slack = 0.0;
+  s.slack = s.grown = 0.0;
   s.listed_step = s.steps;
   ++s.list_builds;
 }
 
 /// The skin balances the cost of a build against that of pairs that do not touch: a build is worth about
-/// as much as twenty steps.
+/// as much as twenty steps. A skin wider than the smallest grains would give them too many neighbours.
 void adapt_skin(GrainSystem& s, double smallest_radius, double largest_radius) {
   const long lived = s.steps - s.listed_step;
   if (s.list_builds == 0)
     s.skin = 0.2 * smallest_radius;
   else if (lived < 40)
-    s.skin = std::min(1.25 * s.skin, 0.5 * largest_radius);
+    s.skin = std::min({1.25 * s.skin, 0.5 * largest_radius, smallest_radius});
   else if (lived > 400)
     s.skin = std::max(0.8 * s.skin, 0.05 * smallest_radius);
 }
 
-/// Largest approach of two grains, or of a grain and a wall, since the list was made; what the box strained
+/// Largest approach of two surfaces of grains, or of a grain and a wall, since the list was made; what the box strained
 /// brings two listed grains closer by at most its largest shortening times their reach.
 double approach_since(const GrainSystem& s, double largest_radius) {
   const Vec3 size = s.domain.size(), old_size = s.listed_in.size();
@@ -264,7 +264,7 @@ double approach_since(const GrainSystem& s, double largest_radius) {
     const Vec3 carried = s.domain.lower + Vec3{old.x * stretch.x, old.y * stretch.y, old.z * stretch.z};
     walls = std::max(walls, std::abs(dot(s.walls[to_size(w)].point - carried, s.walls[to_size(w)].normal)));
   }
-  return grains + std::max(grains, walls) + strain * (2.0 * largest_radius + s.skin);
+  return grains + std::max(grains, walls) + strain * (2.0 * largest_radius + s.skin) + 2.0 * s.grown;
 }
 
 std::array<double, 2> radius_range(const GrainSystem& s) {

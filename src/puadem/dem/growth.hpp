@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "puadem/dem/grain_system.hpp"
+
+namespace puadem {
+
+/// Gives every grain a new radius at its own density: mass and moment of inertia follow. The neighbour list
+/// learns of the growth and is renewed in time.
+/// @param radius  by identity [m]
+/// @pre   between two steps, the forces of the present places not yet evaluated
+/// @throws InputError  a radius that is not positive, or not one radius a grain
+void set_radii(GrainSystem& system, std::span<const double> radius);
+
+}  // namespace puadem
