@@ -32,8 +32,8 @@ TEST(Cell, FaceCentredTetrahedron) {
   EXPECT_NEAR(cell_volume(sites), 2 * std::sqrt(2.0) / 3, 1e-14);
   EXPECT_NEAR(cell_void_volume(sites), 0.20776, 0.6e-5);
   EXPECT_NEAR(cell_void_volume(sites) / cell_volume(sites), 0.2204, 0.6e-4);
-  EXPECT_NEAR(*inscribed_sphere_radius(sites), std::sqrt(1.5) - 1, 1e-14);
-  EXPECT_NEAR(*inscribed_sphere_radius(sites), 0.22474, 0.6e-5);
+  EXPECT_NEAR(inscribed_sphere(sites)->radius, std::sqrt(1.5) - 1, 1e-14);
+  EXPECT_NEAR(inscribed_sphere(sites)->radius, 0.22474, 0.6e-5);
 }
 
 TEST(Cell, FaceCentredOctahedronFromItsQuarters) {
@@ -47,23 +47,24 @@ TEST(Cell, FaceCentredOctahedronFromItsQuarters) {
     const std::array<Site, 4> quarter{top, bottom, ring[k], ring[(k + 1) % 4]};
     volume += cell_volume(quarter);
     space += cell_void_volume(quarter);
-    EXPECT_NEAR(*inscribed_sphere_radius(quarter), s - 1, 1e-14);
+    EXPECT_NEAR(inscribed_sphere(quarter)->radius, s - 1, 1e-14);
   }
   EXPECT_NEAR(volume, 3.77124, 0.6e-5);
   EXPECT_NEAR(space, 1.05254, 0.6e-5);
 }
 
 TEST(Cell, SimpleCubicInsphere) {
-  EXPECT_NEAR(*inscribed_sphere_radius(
-                  {Site::grain({0, 0, 0}, 1), Site::grain({2, 0, 0}, 1), Site::grain({0, 2, 0}, 1), Site::grain({0, 0, 2}, 1)}),
-              std::sqrt(3.0) - 1, 1e-14);
+  const auto sphere = inscribed_sphere(
+      {Site::grain({0, 0, 0}, 1), Site::grain({2, 0, 0}, 1), Site::grain({0, 2, 0}, 1), Site::grain({0, 0, 2}, 1)});
+  EXPECT_NEAR(sphere->radius, std::sqrt(3.0) - 1, 1e-14);
+  EXPECT_NEAR(norm(sphere->centre - Vec3{1, 1, 1}), 0.0, 1e-14);
 }
 
 TEST(Cell, BodyCentredTetrahedronAndFacet) {
   const auto sites = bcc_tetrahedron();
   EXPECT_NEAR(cell_volume(sites), 1.026400, 0.6e-6);
   EXPECT_NEAR(cell_void_volume(sites), 0.328269, 0.6e-6);
-  EXPECT_NEAR(*inscribed_sphere_radius(sites), 0.290994, 0.6e-6);
+  EXPECT_NEAR(inscribed_sphere(sites)->radius, 0.290994, 0.6e-6);
   const ThroatSection facet = throat_section({sites[0], sites[1], sites[2]});
   EXPECT_NEAR(facet.facet_area, 4 * std::sqrt(2.0) / 3, 1e-14);
   EXPECT_NEAR(facet.void_area, 0.314822, 0.6e-6);

@@ -115,9 +115,10 @@ bool same(const Fluids& a, const Fluids& b) {
          same(nonwetting, b.nonwetting);
 }
 bool same(const NetworkOptions& a, const NetworkOptions& b) {
-  const auto& [entry_law, contact_angle, merge_ratio, merge_limit, no_slip] = a;
+  const auto& [entry_law, contact_angle, merge_ratio, merge_limit, no_slip, merge_criterion, pore_shape, throat_section] = a;
   return entry_law.index() == b.entry_law.index() && contact_angle == b.contact_angle && merge_ratio == b.merge_ratio &&
-         merge_limit == b.merge_limit && no_slip == b.no_slip;
+         merge_limit == b.merge_limit && no_slip == b.no_slip && merge_criterion == b.merge_criterion &&
+         pore_shape == b.pore_shape && throat_section == b.throat_section;
 }
 bool same(const CompactStage& a, const CompactStage& b) {
   const auto& [stress, porosity, friction_angle, region, unbalanced, damping] = a;

@@ -94,7 +94,8 @@ bool same_partition(const std::vector<int>& a, const std::vector<int>& b) {
 TEST(Merging, EqualsBruteForce) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const Problem p = problem_of(60, seed);
-    for (const MergeOptions options : {MergeOptions{0.9, 20}, MergeOptions{0.7, 6}, MergeOptions{0.5, 40}}) {
+    for (const MergeOptions options : {MergeOptions{0.9, 20, PoreShape::faces, {}}, MergeOptions{0.7, 6, PoreShape::faces, {}},
+                                       MergeOptions{0.5, 40, PoreShape::faces, {}}}) {
       const MergedCells fast = merge_cells(p.cells, p.facets, p.cell_void, p.cell_faces, p.wide, p.area, options);
       EXPECT_TRUE(same_partition(fast.unit, brute_force(p, options))) << "seed " << seed;
       EXPECT_LT(fast.units, p.cells);
@@ -104,7 +105,7 @@ TEST(Merging, EqualsBruteForce) {
 
 TEST(Merging, LeavesNoThroatWiderThanAllowedUnlessTheUnitIsFull) {
   const Problem p = problem_of(200, 9);
-  const MergeOptions options{0.9, 20};
+  const MergeOptions options{};
   const MergedCells m = merge_cells(p.cells, p.facets, p.cell_void, p.cell_faces, p.wide, p.area, options);
   std::vector<double> volume(to_size(m.units));
   std::vector<int> cells(to_size(m.units)), faces(to_size(m.units));
@@ -129,7 +130,7 @@ TEST(Merging, NilCellsJoinANeighbourEvenWithoutMerging) {
   const std::vector<Facet> facets{{0, 1, {}, 0}, {1, 2, {}, 0}};
   const std::vector<double> space{1.0, -1e-18, 1.0}, wide{0.1, 0.2};
   const std::vector<int> faces{4, 4, 4};
-  const MergedCells m = merge_cells(3, facets, space, faces, wide, wide, {std::numeric_limits<double>::infinity(), 1});
+  const MergedCells m = merge_cells(3, facets, space, faces, wide, wide, {std::numeric_limits<double>::infinity(), 1, {}, {}});
   EXPECT_EQ(m.units, 2);
   EXPECT_EQ(m.forced, 1);
   EXPECT_EQ(m.unit, (std::vector<int>{0, 1, 1}));
@@ -141,7 +142,7 @@ TEST(Merging, KeepsTrackOfPeriodicImages) {
   const std::vector<Facet> facets{{0, 1, {}, 0}, {0, 1, {-1, 0, 0}, 1}};
   const std::vector<double> space{1.0, 1.0}, wide{3.0, 2.9};
   const std::vector<int> faces{2, 2};
-  const MergedCells m = merge_cells(2, facets, space, faces, wide, wide, {0.9, 20});
+  const MergedCells m = merge_cells(2, facets, space, faces, wide, wide, {});
   EXPECT_EQ(m.units, 1);
   EXPECT_EQ(m.cell_shift[0], m.cell_shift[1]);
 }
@@ -152,4 +153,12 @@ TEST(PoreShape, RegularPolyhedra) {
     EXPECT_NEAR(inscribed_radius_coefficient(faces), coefficient, 0.6e-4) << faces;
   for (int n = 4; n < 200; ++n) EXPECT_LE(inscribed_radius_coefficient(n), inscribed_radius_coefficient(n + 1));
   EXPECT_LE(inscribed_radius_coefficient(100000), 0.605);
+}
+
+TEST(PoreShape, ByVertices) {
+  // Published line: 0.0893 ln n_v + 0.326 (Sweijen et al. 2018).
+  for (const int vertices : {4, 6, 8, 12, 20})
+    EXPECT_NEAR(inscribed_radius_coefficient(2 * (vertices - 2), PoreShape::vertices), 0.0893 * std::log(vertices) + 0.326,
+                1.5e-4);
+  EXPECT_LE(inscribed_radius_coefficient(100000, PoreShape::vertices), 0.605);
 }

@@ -193,3 +193,62 @@ TEST(PoreNetwork, RejectsWhatIsNotAPacking) {
   EXPECT_NE(message({{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.2, 0.2, 0.2}}, {0.1, 0.1, 0.1}).find("hidden"), std::string::npos);
   EXPECT_NE(message({{0.5, 0.5, 0.5}, {0.51, 0.5, 0.5}}, {0.4, 0.01}).find("grain 1"), std::string::npos);
 }
+
+// The spheres in the cells of one hole of a lattice coincide, those of neighbouring holes do not meet.
+TEST(PoreNetwork, OverlappingInspheresMakeTheHolesOfLattices) {
+  NetworkOptions options;
+  options.merge_criterion = MergeCriterion::insphere_overlap;
+  const PoreNetwork cubes = network_of(simple_cubic(1.0, 3), options);
+  EXPECT_EQ(cubes.pores(), 27);
+  for (const double v : cubes.pore_volume) EXPECT_NEAR(v, 8 - 4 * std::numbers::pi / 3, 1e-12);
+  const PoreNetwork holes = network_of(face_centred(1.0, 2), options);
+  EXPECT_EQ(holes.pores(), 4 * 8 * 3);  // per sphere two tetrahedra and one octahedron
+  EXPECT_NEAR(sorted(holes.pore_volume).back(), 1.05254, 0.6e-5);
+}
+
+TEST(PoreNetwork, ASquareWindowIsEnteredAsAWhole) {
+  NetworkOptions options;
+  options.merge_criterion = MergeCriterion::insphere_overlap;
+  for (const std::array<bool, 3>& periodic : {std::array{true, true, true}, {false, false, false}}) {
+    const Spheres s = simple_cubic(1.0, 3, periodic);
+    options.throat_section = ThroatOutline::facet;
+    const PoreNetwork facets = network_of(s, options);
+    options.throat_section = ThroatOutline::window;
+    const PoreNetwork windows = network_of(s, options);
+    ASSERT_EQ(windows.throat_pores, facets.throat_pores);
+    int squares = 0;
+    for (int t = 0; t < windows.throats(); ++t) {
+      if (windows.throat_at_wall[to_size(t)]) continue;
+      ++squares;
+      EXPECT_NEAR(1.0 / facets.throat_entry_radius[to_size(t)], 2.41421, 0.6e-5);
+      EXPECT_NEAR(1.0 / windows.throat_entry_radius[to_size(t)], 4.49244, 0.6e-5);
+      EXPECT_EQ(windows.throat_entry_kind[to_size(t)], EntryKind::meniscus);
+      EXPECT_NEAR(windows.throat_radius[to_size(t)], std::sqrt(2.0) - 1, 1e-12);
+      EXPECT_NEAR(windows.throat_snap_off_radius[to_size(t)], std::sqrt(2.0) - 1, 1e-12);
+    }
+    EXPECT_EQ(squares, periodic[0] ? 27 * 3 * 2 : 2 * 2 * 3 * 3 * 2);
+  }
+}
+
+TEST(PoreNetwork, ThroatsOfOneWindowShareItsRadii) {
+  const Spheres s = random_spheres(200, 2.0, {1, 1, 1}, {true, false, true}, 14, 0.35);
+  NetworkOptions options;
+  const PoreNetwork facets = network_of(s, options);
+  options.throat_section = ThroatOutline::window;
+  const PoreNetwork windows = network_of(s, options);
+  int changed = 0;
+  for (int t = 0; t < facets.throats(); ++t) {
+    const double entry = windows.throat_entry_radius[to_size(t)];
+    if (entry == facets.throat_entry_radius[to_size(t)]) continue;
+    ++changed;
+    EXPECT_GT(entry, 0.0);
+    int sharing = 0;
+    for (const int other : windows.pore_throats[windows.throat_pores[to_size(t)][0]])
+      sharing += windows.throat_pores[to_size(other)] == windows.throat_pores[to_size(t)] &&
+                 windows.throat_entry_radius[to_size(other)] == entry &&
+                 windows.throat_snap_off_radius[to_size(other)] == windows.throat_snap_off_radius[to_size(t)];
+    EXPECT_GE(sharing, 2);
+  }
+  EXPECT_GT(changed, 10);
+  EXPECT_LT(changed, facets.throats() / 2);
+}

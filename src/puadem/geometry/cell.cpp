@@ -126,13 +126,15 @@ std::optional<Vec3> power_centre(const std::array<Site, 4>& sites) {
   return sites[first].centre + *offset;
 }
 
-std::optional<double> inscribed_sphere_radius(const std::array<Site, 4>& sites) {
+std::optional<InscribedSphere> inscribed_sphere(const std::array<Site, 4>& sites) {
   const std::size_t first = first_grain(sites);
   const auto [p, q, r] = tangencies(sites, first);
   const std::array<Vec3, 3> edges{p.edge, q.edge, r.edge};
   const auto u = solve(edges, {p.constant, q.constant, r.constant}), v = solve(edges, {p.linear, q.linear, r.linear});
   if (!u || !v) return std::nullopt;
-  return tangent_radius(*u, *v, sites[first].radius);
+  const auto radius = tangent_radius(*u, *v, sites[first].radius);
+  if (!radius) return std::nullopt;
+  return InscribedSphere{sites[first].centre + *u + *radius * *v, *radius};
 }
 
 Vec3 facet_normal(const std::array<Site, 3>& sites) {

@@ -26,9 +26,13 @@ std::optional<Vec3> power_centre(const std::array<Site, 4>& sites);
 /// Centroid of the cell's polyhedron [m].
 Vec3 cell_centroid(const std::array<Site, 4>& sites);
 
-/// Radius of the sphere that touches the four sites from outside [m] (theory 3.6); none where no such
-/// sphere exists.
-std::optional<double> inscribed_sphere_radius(const std::array<Site, 4>& sites);
+/// Sphere that touches the four sites from outside (theory 3.6); none where no such sphere exists, radius 0
+/// where grains leave no room.
+struct InscribedSphere {
+  Vec3 centre;          ///< [m]
+  double radius = 0.0;  ///< [m]
+};
+std::optional<InscribedSphere> inscribed_sphere(const std::array<Site, 4>& sites);
 
 /// Unit normal of a facet; its sign is that of the order of the sites [-].
 Vec3 facet_normal(const std::array<Site, 3>& sites);

@@ -97,12 +97,14 @@ class Merger {
 
   void update_radius(int u) {
     units_.radius[to_size(u)] =
-        is_nil(u) ? 0.0 : inscribed_radius_coefficient(units_.faces[to_size(u)]) * std::cbrt(units_.volume[to_size(u)]);
+        is_nil(u) ? 0.0
+                  : inscribed_radius_coefficient(units_.faces[to_size(u)], options_.shape) * std::cbrt(units_.volume[to_size(u)]);
   }
 
   double ratio(int u, int v, int facet) const {
     const double smaller = std::min(units_.radius[to_size(u)], units_.radius[to_size(v)]);
-    return smaller > 0.0 ? wide_[to_size(facet)] / smaller : std::numeric_limits<double>::infinity();
+    if (!(smaller > 0.0)) return std::numeric_limits<double>::infinity();
+    return options_.rank.empty() ? wide_[to_size(facet)] / smaller : options_.rank[to_size(facet)];
   }
 
   Worst find_worst(int u) const {

@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "puadem/geometry/facets.hpp"
+#include "puadem/network/pore_shape.hpp"
 
 namespace puadem {
 
 struct MergeOptions {
   double ratio = 0.9;  ///< merge where R_ij / min(R_i, R_j) exceeds it; infinity: only what must merge
   int limit = 20;      ///< most cells in one unit
+  PoreShape shape = PoreShape::faces;
+  std::span<const double> rank;  ///< per facet, in place of R_ij / min(R_i, R_j); empty: that ratio
 };
 
 /// Partition of the cells into pore units.

@@ -7,7 +7,7 @@
 #include "puadem/base/error.hpp"
 #include "puadem/geometry/cell.hpp"
 #include "puadem/geometry/throat_domain.hpp"
-#include "puadem/network/pore_shape.hpp"
+#include "puadem/network/throat_windows.hpp"
 
 namespace puadem {
 
@@ -94,7 +94,7 @@ FacetGeometry measure_facets(const Triangulation& triangulation, std::span<const
   return g;
 }
 
-void set_pore_geometry(PoreNetwork& network, const CellGeometry& cells, const PackingSites& sites_of) {
+void set_pore_geometry(PoreNetwork& network, const CellGeometry& cells, const PackingSites& sites_of, PoreShape shape) {
   const int pores = network.pore_tetrahedra.rows();
   network.pore_centre.resize(to_size(pores));
   network.pore_volume.resize(to_size(pores));
@@ -114,12 +114,13 @@ void set_pore_geometry(PoreNetwork& network, const CellGeometry& cells, const Pa
     const Vec3& c = network.pore_centre[u];
     ensure(space > 0.0, "pore {} at ({:g}, {:g}, {:g}) m has no void left ({:g} m3): the grains around it overlap too far", p,
            c.x, c.y, c.z, space);
-    network.pore_radius[u] = inscribed_radius_coefficient(network.pore_faces[u]) * std::cbrt(space);
+    network.pore_radius[u] = inscribed_radius_coefficient(network.pore_faces[u], shape) * std::cbrt(space);
   });
   network.tetrahedron_void = cells.void_volume;
 }
 
-void set_throat_geometry(PoreNetwork& network, FacetGeometry geometry) {
+void set_throat_geometry(PoreNetwork& network, FacetGeometry geometry, const PackingSites& sites_of,
+                         const NetworkOptions& options) {
   network.throat_normal = std::move(geometry.normal);
   for (int t = 0; t < network.throats(); ++t)  // a facet is seen from its first cell, a throat from its first pore
     if (network.tetrahedron_pore[to_size(network.throat_facet[to_size(t)].cell)] != network.throat_pores[to_size(t)][0])
@@ -132,14 +133,16 @@ void set_throat_geometry(PoreNetwork& network, FacetGeometry geometry) {
   network.throat_entry_radius = std::move(geometry.entry_radius);
   network.throat_snap_off_radius = std::move(geometry.snap_off_radius);
   network.throat_entry_kind = std::move(geometry.kind);
+  if (options.throat_section == ThroatOutline::window) set_window_radii(network, sites_of, options);
 }
 
 void update_network_geometry(PoreNetwork& network, std::span<const Vec3> centre, std::span<const double> radius,
                              const Domain& domain, const NetworkOptions& options) {
   const PackingSites sites_of(centre, radius, domain);
   const CellGeometry cells = measure_cells(network.triangulation, sites_of);
-  set_pore_geometry(network, cells, sites_of);
-  set_throat_geometry(network, measure_facets(network.triangulation, network.throat_facet, cells, sites_of, options));
+  set_pore_geometry(network, cells, sites_of, options.pore_shape);
+  set_throat_geometry(network, measure_facets(network.triangulation, network.throat_facet, cells, sites_of, options), sites_of,
+                      options);
 }
 
 }  // namespace puadem

@@ -33,10 +33,12 @@ FacetGeometry measure_facets(const Triangulation& triangulation, std::span<const
 
 /// Volumes, centres and radii of the pores from their cells; the pores' cells and faces are known.
 /// @throws NumericalError  for a pore without void
-void set_pore_geometry(PoreNetwork& network, const CellGeometry& cells, const PackingSites& sites_of);
+void set_pore_geometry(PoreNetwork& network, const CellGeometry& cells, const PackingSites& sites_of, PoreShape shape);
 
-/// Takes over the geometry of `network.throat_facet`, in its order.
-void set_throat_geometry(PoreNetwork& network, FacetGeometry geometry);
+/// Takes over the geometry of `network.throat_facet`, in its order; throats of one window get its radii where
+/// the options ask for windows.
+void set_throat_geometry(PoreNetwork& network, FacetGeometry geometry, const PackingSites& sites_of,
+                         const NetworkOptions& options);
 
 /// Geometry of a network whose grains have moved or grown, on the same topology: the numbers a new build would
 /// find as long as its triangulation and pore units were the same.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "puadem/geometry/cell.hpp"
 #include "puadem/network/merging.hpp"
 #include "puadem/network/network_geometry.hpp"
 
@@ -19,6 +20,23 @@ std::vector<int> count_faces(const Triangulation& triangulation) {
     for (const auto& neighbour : triangulation.neighbours[t]) faces[t] += neighbour.cell >= 0;
   }
   return faces;
+}
+
+/// Overlap of the inscribed spheres on either side of each facet, as a share of the smaller radius [-].
+std::vector<double> insphere_overlaps(const Triangulation& triangulation, std::span<const Facet> facets,
+                                      const PackingSites& sites_of) {
+  std::vector<InscribedSphere> sphere(to_size(triangulation.cells()));
+  parallel_for(triangulation.cells(), [&](int t) {
+    sphere[to_size(t)] = inscribed_sphere(sites_of(triangulation.vertices[to_size(t)])).value_or(InscribedSphere{});
+  });
+  std::vector<double> overlap(facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const InscribedSphere &a = sphere[to_size(facets[f].cell)], &b = sphere[to_size(facets[f].neighbour)];
+    const double distance = norm(b.centre + sites_of.translation(facets[f].shift) - a.centre),
+                 smaller = std::min(a.radius, b.radius);
+    overlap[f] = smaller > 0.0 ? (a.radius + b.radius - distance) / smaller : 0.0;
+  }
+  return overlap;
 }
 
 /// Cells, walls and wall faces of the pores.
@@ -94,14 +112,20 @@ PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const dou
   const std::vector<Facet> facets = find_facets(triangulation);
   FacetGeometry geometry = measure_facets(triangulation, facets, cells, sites_of, options);
 
-  std::vector<double> wide(facets.size());
+  std::vector<double> wide(facets.size()), overlap;
   for (std::size_t f = 0; f < facets.size(); ++f) wide[f] = 2.0 * geometry.entry_radius[f];
+  MergeOptions merging{options.merge_ratio, options.merge_limit, options.pore_shape, {}};
+  if (options.merge_criterion == MergeCriterion::insphere_overlap) {
+    overlap = insphere_overlaps(triangulation, facets, sites_of);
+    merging.ratio = 0.0;
+    merging.rank = overlap;
+  }
   lay_out_pores(network, merge_cells(triangulation.cells(), facets, cells.void_volume, count_faces(triangulation), wide,
-                                     geometry.void_area, {options.merge_ratio, options.merge_limit}));
+                                     geometry.void_area, merging));
   select(geometry, lay_out_throats(network, facets));
 
-  set_pore_geometry(network, cells, sites_of);
-  set_throat_geometry(network, std::move(geometry));
+  set_pore_geometry(network, cells, sites_of, options.pore_shape);
+  set_throat_geometry(network, std::move(geometry), sites_of, options);
   return network;
 }
 
