@@ -110,6 +110,7 @@ TEST(NeighbourList, StaysShortWhereSmallGrainsFlyAmongLargeOnes) {
     move_grains(s);
   }
   EXPECT_GT(s.list_builds, 10);
+  EXPECT_LE(s.skin, 1.0);  // smallest radius
   EXPECT_LT(lane_count * s.grain_contacts.size(), 4 * s.owned);
 }
 

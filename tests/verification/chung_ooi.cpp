@@ -98,13 +98,14 @@ double slip_speed(const Impact& impact, const Ball& ball, const Ball& partner) {
   return ball.along - impact.radius * ball.spin - below;
 }
 
-Rebound collide(const Impact& impact, int steps, ContactOptions::Law law) {
+Rebound collide(const Impact& impact, int steps, ContactOptions::Law law, double phase) {
   GrainSystem s = set_up(impact, law);
   const Pair pair = pair_of(impact);
   const double stiffness = 2 * impact.solid.youngs * pair.radius;  // k_n of the linear law for one solid, theory 2.5
   const double contact_time =
       law == ContactOptions::Law::hertz_mindlin ? hertz_impact(impact).duration : pi * std::sqrt(pair.mass / stiffness);
   s.time_step = contact_time / steps;
+  s.record[0].place[2] += phase * s.time_step * approach_speed(impact);
   Rebound r;
   for (int step = 0;; ++step) {
     evaluate_forces(s);
@@ -114,7 +115,11 @@ Rebound collide(const Impact& impact, int steps, ContactOptions::Law law) {
     const double overlap =
         impact.partner ? impact.radius + impact.partner->radius - norm(place[0] - place[1]) : impact.radius - place[0].z;
     const double now = step * s.time_step;
-    if (step > 0 && overlap <= 0.0) {
+    if (step < phase) {
+      move_grains(s);
+      continue;
+    }
+    if (r.deepest > 0.0 && overlap <= 0.0) {
       const Rebound::Moment& last = r.course.back();
       r.duration = last.time + s.time_step * last.overlap / (last.overlap - overlap);
       break;
@@ -129,6 +134,17 @@ Rebound collide(const Impact& impact, int steps, ContactOptions::Law law) {
     (s.identity[to_size(k)] == 0 ? r.ball : r.partner) = {g.drift[2], g.drift[0], g.spin[1]};
   }
   return r;
+}
+
+RestitutionError restitution_error(const Impact& impact, int steps, ContactOptions::Law law) {
+  constexpr int phases = 41;
+  std::vector<double> error;
+  for (int k = 0; k < phases; ++k) {
+    const Rebound r = collide(impact, steps, law, static_cast<double>(k) / phases);
+    error.push_back(std::abs((r.ball.up - r.partner.up) / approach_speed(impact) - impact.restitution));
+  }
+  std::sort(error.begin(), error.end());
+  return {error[phases / 2], error.back()};
 }
 
 Rebound hertz_impact(const Impact& impact) {

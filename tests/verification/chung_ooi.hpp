@@ -26,7 +26,7 @@ struct Ball {
   double spin = 0.0;   ///< [rad/s]
 };
 
-/// A sphere comes down on a plane that does not yield, or on another sphere below it. They touch at the start.
+/// A sphere comes down on a plane that does not yield, or on another sphere below it.
 struct Impact {
   struct Partner {
     Solid solid;
@@ -58,8 +58,16 @@ double approach_speed(const Impact& impact);
 /// Velocity of the lowest point of the sphere over what it touches, along x [m/s].
 double slip_speed(const Impact& impact, const Ball& ball, const Ball& partner);
 
-/// By the grain engine with Hertz and Mindlin, `steps` to the contact time of the elastic impact.
-Rebound collide(const Impact& impact, int steps, ContactOptions::Law law = ContactOptions::Law::hertz_mindlin);
+/// By the grain engine, `steps` to the contact time of the elastic impact.
+/// @param phase  steps from the start to the touch [-]
+Rebound collide(const Impact& impact, int steps, ContactOptions::Law law = ContactOptions::Law::hertz_mindlin,
+                double phase = 0.0);
+
+/// Errors of the restitution coefficient over many phases of the touch within a step.
+struct RestitutionError {
+  double median = 0.0, worst = 0.0;
+};
+RestitutionError restitution_error(const Impact& impact, int steps, ContactOptions::Law law);
 
 /// Deepest overlap, largest force and duration of the elastic impact in closed form (Timoshenko and Goodier
 /// 1970, section 140).

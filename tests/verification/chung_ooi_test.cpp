@@ -42,6 +42,23 @@ TEST(ChungOoi3, RestitutionIsTheOneAskedFor) {
   }
 }
 
+// The contact may begin and end anywhere within a step. With the linear law, whose dashpot lets go of a sudden, the
+// last step is now and then taken for the last but one.
+TEST(Restitution, IsTheOneAskedForAtAHundredStepsAContact) {
+  const Solid soft{"soft", 1e8, 0.3, 2500};
+  for (const auto law : {ContactOptions::Law::linear_spring, ContactOptions::Law::hertz_mindlin})
+    for (const bool on_plane : {true, false})
+      for (const double e : {0.95, 0.9, 0.7, 0.5, 0.3}) {
+        Impact impact{.solid = soft, .radius = 1e-3, .ball = {.up = -1}, .restitution = e, .partner = {}};
+        if (!on_plane) impact.partner = Impact::Partner{soft, 1e-3, {}};
+        const RestitutionError coarse = restitution_error(impact, 50, law), middle = restitution_error(impact, 100, law),
+                               fine = restitution_error(impact, 200, law);
+        EXPECT_LT(middle.median, 1e-4) << e;
+        EXPECT_LT(fine.median, std::max(coarse.median / 4, 1e-5)) << e;
+        EXPECT_LT(middle.worst, law == ContactOptions::Law::linear_spring ? 5e-3 : 2e-4) << e;
+      }
+}
+
 /// Against the equations integrated on their own; velocities as a share of the speed of approach.
 void expect_integrated(const Impact& impact, double tolerance) {
   const Rebound got = collide(impact, steps), expected = integrate(impact);
@@ -76,8 +93,8 @@ TEST(ChungOoi5, ObliqueImpactAtOneNormalSpeed) {
 TEST(ChungOoi6, SpinningSphereMeetsAPlane) {
   for (const Solid& solid : solids_of_test_6())
     for (const double spin : {0.2, 0.7, 2.0, 5.0, 12.0, 22.0}) {
-      expect_integrated(test_6(solid, spin), 6e-4);
-      if (spin > 6) expect_sliding(test_6(solid, spin), 6e-4);
+      expect_integrated(test_6(solid, spin), 4e-4);
+      if (spin > 6) expect_sliding(test_6(solid, spin), 2e-4);
     }
 }
 
