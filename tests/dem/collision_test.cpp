@@ -56,14 +56,17 @@ ContactOptions linear() {
 // Timoshenko and Goodier 1970, section 140.
 TEST(HertzCollision, MatchesTheClosedForm) {
   struct Case {
-    double radius, density, youngs, poisson, speed;
+    double radius, density, youngs, poisson, speed, deepest, largest;  // the last two computed elsewhere
   };
-  for (const Case& q : {Case{0.2e-3, 2650, 70e9, 0.2, 0.1}, Case{1e-3, 2500, 1e8, 0.3, 1.0}}) {
+  for (const Case& q :
+       {Case{0.2e-3, 2650, 70e9, 0.2, 0.1, 6.65315e-8, 8.34213e-3}, Case{1e-3, 2500, 1e8, 0.3, 1.0, 2.75818e-5, 0.237294}}) {
     const Material m = test::material(q.youngs, q.poisson, q.density);
     const double mass = 4.0 / 3.0 * std::numbers::pi * std::pow(q.radius, 3) * q.density;
     const double youngs = q.youngs / (2 * (1 - q.poisson * q.poisson)), stiffness = 4.0 / 3.0 * youngs * std::sqrt(q.radius / 2);
     const double deepest = std::pow(5 * (mass / 2) * q.speed * q.speed / (4 * stiffness), 0.4);
     const double duration = 2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9) * deepest / q.speed;
+    EXPECT_NEAR(deepest, q.deepest, 1e-5 * deepest);
+    EXPECT_NEAR(stiffness * std::pow(deepest, 1.5), q.largest, 1e-5 * q.largest);
     const Collision c = collide(q.radius, q.speed, m, {}, duration / 2000);
     EXPECT_NEAR(c.deepest, deepest, 1e-5 * deepest);
     EXPECT_NEAR(c.largest, stiffness * std::pow(deepest, 1.5), 2e-5 * c.largest);
@@ -75,7 +78,7 @@ TEST(HertzCollision, MatchesTheClosedForm) {
 TEST(HertzCollision, KeepsItsEnergyAtAHundredStepsAContact) {
   const Material m = test::material(1e8, 0.3, 2500);
   const Collision c = collide(1e-3, 1.0, m, {}, 8.11808e-5 / 100);
-  EXPECT_NEAR(c.rebound, 1.0, 1e-3);
+  EXPECT_NEAR(c.rebound * c.rebound, 1.0, 1e-6);
 }
 
 TEST(LinearCollision, MatchesTheClosedForm) {
@@ -83,23 +86,12 @@ TEST(LinearCollision, MatchesTheClosedForm) {
   const Material m = test::material(wanted / radius, 0.3, density);  // k_n = E R for equal spheres
   const double mass = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3) * density / 2;
   const double duration = std::numbers::pi * std::sqrt(mass / wanted), deepest = speed * std::sqrt(mass / wanted);
+  EXPECT_NEAR(duration, 2.27326e-5, 1e-10);
+  EXPECT_NEAR(deepest, 7.23601e-6, 1e-11);
   const Collision c = collide(radius, speed, m, linear(), duration / 2000);
   EXPECT_NEAR(c.duration, duration, 1e-4 * duration);
   EXPECT_NEAR(c.deepest, deepest, 1e-5 * deepest);
   EXPECT_NEAR(c.rebound, 1.0, 1e-6);
-}
-
-// Restitution asked for is restitution got. The attractive last part counts: a linear spring and dashpot
-// that end at zero overlap give back exactly e.
-TEST(Restitution, IsTheOneAskedForWithBothLaws) {
-  const Material m = test::material(1e8, 0.3, 2500);
-  for (const double e : {0.95, 0.9, 0.7, 0.5, 0.3}) {
-    for (ContactOptions options : {ContactOptions{}, linear()}) {
-      options.restitution = e;
-      EXPECT_NEAR(collide(1e-3, 1.0, m, options, 1e-8).rebound, e, 2e-3)
-          << (options.law == ContactOptions::Law::hertz_mindlin ? "Hertz" : "linear");
-    }
-  }
 }
 
 TEST(Restitution, IsTheOneAskedForAtAWall) {
@@ -116,7 +108,7 @@ TEST(Restitution, IsTheOneAskedForAtAWall) {
     s.time_step = 1e-8;
     do advance_grains(s, 1);
     while (s.record[0].place[2] < radius);
-    EXPECT_NEAR(s.record[0].drift[2], e, 2e-3);
+    EXPECT_NEAR(s.record[0].drift[2], e, 1e-5);
   }
 }
 
@@ -138,6 +130,7 @@ double wall_force(ContactOptions::WallElasticity elasticity) {
 // constants, twice that for one that does not yield.
 TEST(WallContact, HertzForceIsExact) {
   const double rigid = 4.0 / 3.0 * 1e8 / (1 - 0.09) * std::sqrt(1e-3) * std::pow(1e-6, 1.5);
+  EXPECT_NEAR(rigid, 4.63337e-3, 5e-9);
   EXPECT_NEAR(wall_force(ContactOptions::WallElasticity::rigid), rigid, 1e-9 * rigid);
   EXPECT_NEAR(wall_force(ContactOptions::WallElasticity::material), rigid / 2, 1e-9 * rigid);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "puadem/dem/contact_law.hpp"
 #include "puadem/dem/grain_system.hpp"
 
@@ -110,14 +112,17 @@ PUADEM_INLINE void resist_rolling(const Approach& a, const ContactResponse<Lanes
 /// Viscous part of the normal force, theory 2.8. The speed of approach at the time of the places follows from
 /// that of the half step: what bodies other than the contact did to it in the last step, they go on doing, and
 /// the contact's own force is solved for. A first or last step counts for the part that the contact lives.
-/// @param pace  history of the contact, 0 where it is new
+/// @param pace  history of the contact: 0 where it is new, infinite once its last step has been counted, should
+///              it outlive that by a little
 template <class Law>
 PUADEM_INLINE Lanes viscous_force(const Approach& a, const ContactResponse<Lanes>& response, const Lanes& damping,
                                   double time_step, Lanes& pace, Lanes& speed) {
   const Lanes zero{}, one = broadcast(1.0);
   const Lanes half = 0.5 * time_step / a.effective_mass;
   const Lanes dashpot = Law::damping_factor * damping * square_root(a.effective_mass * response.normal);
-  const LaneMask is_new = pace == zero;
+  const Lanes counted = broadcast(std::numeric_limits<double>::infinity());
+  const LaneMask is_over = (pace == counted) & (a.approach_speed < zero);
+  const LaneMask is_new = (pace == zero) | (pace == counted);
   speed = is_new ? a.approach_speed : (1.5 * a.approach_speed - pace - half * response.force) / (1.0 + half * dashpot);
   Lanes force = dashpot * speed;
   // Overlap gained in the step that ends here by a new contact, or lost in the next step by an old one.
@@ -128,7 +133,9 @@ PUADEM_INLINE Lanes viscous_force(const Approach& a, const ContactResponse<Lanes
     const Lanes depth = partial ? a.overlap / way : one;
     force = partial ? Law::partial_dashpot(depth) * force : force;
   }
-  pace = a.touching ? 0.5 * a.approach_speed - half * (response.force + force) : zero;
+  force = is_over ? zero : force;
+  pace = is_over | (partial & ~is_new) ? counted : 0.5 * a.approach_speed - half * (response.force + force);
+  pace = a.touching ? pace : zero;
   return force;
 }
 

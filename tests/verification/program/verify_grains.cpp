@@ -8,6 +8,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "puadem/dem/motion.hpp"
 #include "verification/chung_ooi.hpp"
 #include "verification/gas.hpp"
 #include "verification/triaxial.hpp"
@@ -42,6 +43,25 @@ struct Table {
     csv.row(test, quantity, unit, exact, ours, std::abs(ours - exact) / std::abs(scale));
   }
 };
+
+/// A sphere of 1 mm pressed 1 um into a plane: of its own constants, and one that does not yield.
+void pressed_spheres(Table& table) {
+  const Material m{.density = 2500, .youngs_modulus = 1e8, .poisson_ratio = 0.3};
+  const double radius = 1e-3, overlap = 1e-6;
+  Domain box;
+  box.upper = {1e-2, 1e-2, 1e-2};
+  const Particles p = make_particles(std::vector<Vec3>{{5e-3, 5e-3, radius - overlap}}, std::vector<double>{radius}, m);
+  const double rigid = 4.0 / 3.0 * 1e8 / (1 - 0.09) * std::sqrt(radius) * std::pow(overlap, 1.5);
+  for (const bool yields : {true, false}) {
+    ContactOptions contact;
+    contact.wall_elasticity = yields ? ContactOptions::WallElasticity::material : ContactOptions::WallElasticity::rigid;
+    GrainSystem s = make_grain_system(p, box, std::span(&m, 1), contact, {});
+    evaluate_forces(s);
+    const double exact = yields ? rigid / 2 : rigid;
+    table.line("–", yields ? "sphere pressed into a plane of its own constants" : "sphere pressed into a rigid plane", "mN",
+               1e3 * exact, -1e3 * s.walls[4].force.z, 1e3 * exact);
+  }
+}
 
 void elastic_impacts(const std::filesystem::path& folder, Table& table) {
   Csv course(folder / "normal.csv", "test,material,time_us,overlap_um,force_kN");
@@ -191,6 +211,20 @@ void energy(const std::filesystem::path& folder) {
   }
 }
 
+void dense_and_loose(const std::filesystem::path& folder) {
+  Csv csv(folder / "triaxial.csv", "series,axial_strain,ratio,volumetric,void_ratio,lateral_Pa,unbalanced,coordination");
+  Csv ends(folder / "triaxial_ends.csv", "series,grains,steps,residual");
+  for (const auto& [name, friction] : {std::pair{"dense", 0.0}, std::pair{"loose", 0.5}}) {
+    const TriaxialSetUp set_up{
+        .law = hertz, .count = 4000, .axial_strain = 0.5, .compaction_friction = friction, .step_share = 0.4};
+    const TriaxialBalance b = run_triaxial(set_up);
+    for (const ProgramRow& r : b.rows)
+      csv.row(name, r.strain.z, r.deviator / r.mean, r.volumetric, (1 + b.void_ratio) * std::exp(-r.volumetric) - 1,
+              0.5 * (r.stress.x + r.stress.y), r.unbalanced, r.coordination);
+    ends.row(name, set_up.count, b.steps, b.residual());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -201,9 +235,11 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
   Table table{Csv(folder / "table.csv", "test,quantity,unit,exact,ours,error")};
+  pressed_spheres(table);
   elastic_impacts(folder, table);
   restitutions(folder, table);
   oblique_impacts(folder, table);
   spinning_impacts(folder, table);
   energy(folder);
+  dense_and_loose(folder);
 }
