@@ -103,6 +103,7 @@ void Multigrid::set_up(const NetworkMatrix& matrix) {
   }
   std::vector<double> value(matrix.value);
   for (double& v : value) v /= scale;
+  HYPRE_IJMatrixSetDiagOffdSizes(parts_->matrix, columns.data(), std::vector<int>(columns.size(), 0).data());
   HYPRE_IJMatrixInitialize(parts_->matrix);
   HYPRE_IJMatrixSetValues(parts_->matrix, matrix.rows(), columns.data(), row.data(), matrix.pattern.index.data(), value.data());
   HYPRE_IJMatrixAssemble(parts_->matrix);
