@@ -147,7 +147,7 @@ TEST(Compaction, BadOptionsAreNamed) {
   EXPECT_THAT(message([](auto& o, auto&) { o.damping = 2; }), HasSubstr("damping 2"));
   EXPECT_THAT(message([](auto&, auto& s) { s.shape = {1, 0, 1}; }), HasSubstr("proportion 0"));
   EXPECT_THAT(message([](auto&, auto& s) { s.count = 20; }), HasSubstr("more grains"));
-  EXPECT_THAT(message([](auto&, auto& s) { s.material = 3; }), HasSubstr("material 3"));
+  EXPECT_THAT(message([](auto&, auto& s) { s.materials[0].material = 3; }), HasSubstr("material 3"));
 }
 
 // A packing read back has the forces it was left with: contacts without shear, since history is not read.

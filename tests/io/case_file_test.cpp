@@ -97,13 +97,23 @@ bool same(const Material& a, const Material& b) {
   return name == b.name && density == b.density && youngs_modulus == b.youngs_modulus && poisson_ratio == b.poisson_ratio &&
          friction_angle == b.friction_angle;
 }
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b);
+bool same(const PairOverride& a, const PairOverride& b) {
+  const auto& [materials, friction_angle, restitution] = a;
+  return materials == b.materials && friction_angle == b.friction_angle && restitution == b.restitution;
+}
+bool same(const GrainOptions::Share& a, const GrainOptions::Share& b) {
+  const auto& [name, fraction] = a;
+  return name == b.name && fraction == b.fraction;
+}
 bool same(const ContactOptions& a, const ContactOptions& b) {
   const auto& [law, stiffness_ratio, wall_friction, wall_elasticity, restitution, rolling_stiffness, rolling_friction,
-               twisting_stiffness, twisting_friction] = a;
+               twisting_stiffness, twisting_friction, pairs] = a;
   return law == b.law && stiffness_ratio == b.stiffness_ratio && wall_friction == b.wall_friction &&
          wall_elasticity == b.wall_elasticity && restitution == b.restitution && rolling_stiffness == b.rolling_stiffness &&
          rolling_friction == b.rolling_friction && twisting_stiffness == b.twisting_stiffness &&
-         twisting_friction == b.twisting_friction;
+         twisting_friction == b.twisting_friction && same(pairs, b.pairs);
 }
 bool same(const Fluid& a, const Fluid& b) {
   const auto& [viscosity, density] = a;
@@ -165,16 +175,16 @@ bool same(const std::optional<T>& a, const std::optional<T>& b) {
 bool same(const Case& a, const Case& b) {
   const auto& [title, seed, domain, grains, materials, contact, fluids, pores, stages, output, overlays, expected] = a;
   const auto& [size, shape, periodic] = domain;
-  const auto& [file, count, grading, material] = grains;
+  const auto& [file, count, grading, material, mixture] = grains;
   const auto& [by, classes, table, lognormal] = grading;
   const auto& [fields, fields_every] = output;
   return title == b.title && seed == b.seed && size == b.domain.size && shape == b.domain.shape &&
          periodic == b.domain.periodic && file == b.grains.file && count == b.grains.count && by == b.grains.grading.by &&
          same(classes, b.grains.grading.classes) && same(table, b.grains.grading.table) &&
-         same(lognormal, b.grains.grading.lognormal) && material == b.grains.material && same(materials, b.materials) &&
-         same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) && same(stages, b.stages) &&
-         fields == b.output.fields && fields_every == b.output.fields_every && same(overlays, b.overlays) &&
-         std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
+         same(lognormal, b.grains.grading.lognormal) && material == b.grains.material && same(mixture, b.grains.materials) &&
+         same(materials, b.materials) && same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) &&
+         same(stages, b.stages) && fields == b.output.fields && fields_every == b.output.fields_every &&
+         same(overlays, b.overlays) && std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
            return x.first == y.first && x.second.low == y.second.low && x.second.high == y.second.high;
          });
 }
@@ -255,6 +265,19 @@ TEST(CaseFile, TakesAGradingAsATableOrALogNormalCurve) {
       start + "[grains.grading]\nby = \"number\"\nlognormal = { median = \"0.4 mm\", deviation = 1.5, largest = \"1 mm\" }\n");
   EXPECT_TRUE(same(*curve.grains.grading.lognormal, {0.4e-3, 1.5, {}, 1e-3}));
   EXPECT_TRUE(same(parse_case(resolved_case(curve), "resolved", "/elsewhere").c, curve));
+}
+
+TEST(CaseFile, TakesAMixtureAndPairsOfItsMaterials) {
+  const Case c = read(
+      "[grains]\ncount = 10\ngrading.classes = [{ diameter = 1e-3 }]\nmaterials = [{ name = \"a\", fraction = 0.7 }, { name = "
+      "\"b\", "
+      "fraction = 0.3 }]\n[materials.a]\n[materials.b]\n[[contact.pair]]\nmaterials = [\"a\", \"b\"]\nfriction_angle = 0.2\n"
+      "restitution = 0.5\n[[stage]]\nkind = \"compact\"\nstress = 100\n");
+  ASSERT_EQ(c.grains.materials.size(), 2U);
+  EXPECT_TRUE(same(c.grains.materials[1], {"b", 0.3}));
+  EXPECT_EQ(grain_materials(c)[1].material, 1);
+  EXPECT_TRUE(same(c.contact.pairs, {{{"a", "b"}, 0.2, 0.5}}));
+  EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/elsewhere").c, c));
 }
 
 TEST(CaseFile, TakesAFrictionAngleInPlaceOfAPorosity) {

@@ -32,6 +32,11 @@ struct GrainOptions {
   int count = 1000;
   Grading grading;
   std::string material = "glass";
+  struct Share {
+    std::string name;       ///< of a material
+    double fraction = 1.0;  ///< of the solid volume [-]
+  };
+  std::vector<Share> materials;  ///< a mixture, in place of `material`
 };
 
 /// Stage "compact": a random cloud becomes a packing at rest under an isotropic stress.
@@ -86,5 +91,9 @@ struct Case {
   std::vector<Overlay> overlays;
   std::map<std::string, Expected> expected;
 };
+
+/// What the grains are made of, by index into `materials`.
+/// @throws InputError  a name that no material has
+std::vector<MaterialShare> grain_materials(const Case& c);
 
 }  // namespace puadem

@@ -10,13 +10,11 @@ namespace puadem {
 void run_compact_stage(const Case& c, const CompactStage& stage, State& state, const Observer& observer, RunResults& results) {
   require(state.particles.size() == 0,
           "a stage of kind 'compact' makes its grains itself: it must come first and not with grains.file");
-  const auto material = std::ranges::find(c.materials, c.grains.material, &Material::name);
-  require(material != c.materials.end(), "no material \"{}\" for the grains", c.grains.material);
 
   PackingSource source;
   source.grading = c.grains.grading;
   source.count = c.grains.count;
-  source.material = static_cast<int>(material - c.materials.begin());
+  source.materials = grain_materials(c);
   source.shape = c.domain.size.value_or(c.domain.shape);
   source.periodic = c.domain.periodic;
   source.seed = c.seed;

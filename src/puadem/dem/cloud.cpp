@@ -81,8 +81,9 @@ Domain cloud_box(const PackingSource& source, const std::vector<double>& radius,
 }  // namespace
 
 Packing random_cloud(const PackingSource& source, std::span<const Material> materials) {
-  require(source.material >= 0 && source.material < size_of(materials), "grains of material {} of {} materials", source.material,
-          materials.size());
+  for (const MaterialShare& share : source.materials)
+    require(share.material >= 0 && share.material < size_of(materials), "grains of material {} of {} materials", share.material,
+            materials.size());
   const std::vector<double> radius = grain_radii(source.grading, source.count, source.seed);
   const double largest = *std::max_element(radius.begin(), radius.end());
   PlacedGrains placed(cloud_box(source, radius, largest), radius, largest);
@@ -112,7 +113,7 @@ Packing random_cloud(const PackingSource& source, std::span<const Material> mate
   }
   Packing cloud;
   cloud.domain = placed.box;
-  cloud.particles = make_particles(placed.position, radius, materials[to_size(source.material)], source.material);
+  cloud.particles = make_particles(placed.position, radius, materials, assign_materials(radius, source.materials));
   cloud.report.grading_error = grading_error(source.grading, radius);
   cloud.report.porosity_box = porosity_of(cloud.particles.position, radius, cloud.domain);
   return cloud;

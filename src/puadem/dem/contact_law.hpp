@@ -1,13 +1,23 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "puadem/dem/contact_laws/hertz_mindlin.hpp"
 #include "puadem/dem/contact_laws/linear_spring.hpp"
 
 namespace puadem {
+
+/// What two materials have in common where it does not follow from each of them.
+struct PairOverride {
+  std::array<std::string, 2> materials;  ///< names, in either order
+  std::optional<double> friction_angle;  ///< [rad]; none: the smaller one of the two
+  std::optional<double> restitution;     ///< in (0, 1]; none: that of all contacts
+};
 
 /// Contact options of a case.
 struct ContactOptions {
@@ -22,6 +32,7 @@ struct ContactOptions {
   double rolling_friction = 0.0;      ///< eta_r: moment up to eta_r min(R_i, R_j) F_n [-]; 0: grains roll freely
   double twisting_stiffness = 0.0;    ///< alpha_t, about the normal [-]
   double twisting_friction = 0.0;     ///< eta_t [-]; 0: grains twist freely
+  std::vector<PairOverride> pairs{};
 };
 
 inline bool resists_rolling(const ContactOptions& o) { return o.rolling_friction > 0.0 || o.twisting_friction > 0.0; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -129,7 +130,11 @@ GrainSystem make_grain_system(const Particles& particles, const Domain& domain, 
 void collect(const GrainSystem& system, Particles& particles);
 
 /// Have contacts a viscous part?
-inline bool has_dashpots(const GrainSystem& s) { return s.pairs.grains[0].damping > 0.0; }
+inline bool has_dashpots(const GrainSystem& s) {
+  const auto is_viscous = [](const PairConstants<double>& pair) { return pair.damping > 0.0; };
+  return std::any_of(s.pairs.grains.begin(), s.pairs.grains.end(), is_viscous) ||
+         std::any_of(s.pairs.walls.begin(), s.pairs.walls.end(), is_viscous);
+}
 
 inline double radius_of(const GrainRecord& r) { return r.place[3]; }
 inline double mass_of(const GrainRecord& r) { return r.drift[3]; }

@@ -20,10 +20,10 @@ void check(const Material& m) {
           "material '{}': friction_angle {} rad must lie in [0, pi/2)", m.name, m.friction_angle);
 }
 
-double damping_ratio(const ContactOptions& options) {
-  if (!options.restitution) return 0.0;
-  const double e = *options.restitution;
-  require(e > 0.0 && e <= 1.0, "contact.restitution = {} must lie in (0, 1]", e);
+double damping_ratio(std::optional<double> restitution, std::string_view key) {
+  if (!restitution) return 0.0;
+  const double e = *restitution;
+  require(e > 0.0 && e <= 1.0, "{} = {} must lie in (0, 1]", key, e);
   const double log_e = std::log(e);
   return -log_e / std::sqrt(std::numbers::pi * std::numbers::pi + log_e * log_e);
 }
@@ -32,6 +32,32 @@ double compliance(const Material& m) { return (1.0 - m.poisson_ratio * m.poisson
 double shear_compliance(const Material& m) {
   const double shear_modulus = m.youngs_modulus / (2.0 * (1.0 + m.poisson_ratio));
   return (2.0 - m.poisson_ratio) / shear_modulus;
+}
+
+int index_of(const std::string& name, std::span<const Material> materials) {
+  std::string names;
+  for (int m = 0; m < static_cast<int>(materials.size()); ++m) {
+    const std::string& defined = materials[static_cast<std::size_t>(m)].name;
+    if (defined == name) return m;
+    names += (m == 0 ? "" : ", ") + defined;
+  }
+  throw InputError(fmt::format("contact.pair: no material '{}'; defined: {}", name, names));
+}
+
+void override_pair(const PairOverride& given, std::span<const Material> materials, MaterialPairs& pairs) {
+  const int a = index_of(given.materials[0], materials), b = index_of(given.materials[1], materials);
+  for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
+    PairConstants<double>& pair = pairs.grains[static_cast<std::size_t>(i * pairs.materials + j)];
+    if (given.friction_angle) {
+      require(*given.friction_angle >= 0.0 && *given.friction_angle < std::numbers::pi / 2,
+              "contact.pair of '{}' and '{}': friction_angle {} rad must lie in [0, pi/2)", given.materials[0],
+              given.materials[1], *given.friction_angle);
+      pair.friction = std::tan(*given.friction_angle);
+    }
+    if (given.restitution)
+      pair.damping = damping_ratio(
+          given.restitution, fmt::format("restitution of contact.pair '{}' and '{}'", given.materials[0], given.materials[1]));
+  }
 }
 
 }  // namespace
@@ -46,7 +72,7 @@ MaterialPairs material_pairs(std::span<const Material> materials, const ContactO
           options.rolling_friction, options.twisting_stiffness, options.twisting_friction);
   for (const Material& m : materials) check(m);
 
-  const double damping = damping_ratio(options);
+  const double damping = damping_ratio(options.restitution, "contact.restitution");
   MaterialPairs pairs;
   pairs.materials = static_cast<int>(materials.size());
   for (const Material& a : materials)
@@ -67,6 +93,7 @@ MaterialPairs material_pairs(std::span<const Material> materials, const ContactO
                            .stiffness_ratio = options.stiffness_ratio,
                            .friction = options.wall_friction,
                            .damping = damping});
+  for (const PairOverride& given : options.pairs) override_pair(given, materials, pairs);
   return pairs;
 }
 

@@ -27,8 +27,9 @@ struct MaterialPairs {
   std::vector<PairConstants<double>> walls;   ///< a contact of material i with a wall
 };
 
-/// Table of pair constants, theory 2.5 to 2.8. Friction between grains is that of the smaller angle.
-/// @throws InputError  a modulus, Poisson ratio, friction angle or restitution out of range
+/// Table of pair constants, theory 2.5 to 2.8. Friction between grains is that of the smaller angle unless the
+/// options name the pair.
+/// @throws InputError  a modulus, Poisson ratio, friction angle or restitution out of range; a pair of unknown materials
 MaterialPairs material_pairs(std::span<const Material> materials, const ContactOptions& options);
 
 }  // namespace puadem

@@ -218,21 +218,25 @@ void stop_motion(GrainSystem& s) {
   s.drift_limit = 0.0;
 }
 
-/// Time step while nothing touches: as if the smallest grain carried the target stress through six contacts.
+/// Time step while nothing touches: as if the smallest grain carried the target stress through six contacts of the
+/// stiffest pair of materials.
 double reference_time_step(const GrainSystem& s, const Particles& p, double stress) {
   const auto smallest = std::min_element(p.radius.begin(), p.radius.end()) - p.radius.begin();
   const double radius = p.radius[static_cast<std::size_t>(smallest)], mass = p.mass[static_cast<std::size_t>(smallest)];
   const double force = 4.0 * radius * radius * stress;
   return std::visit(
       [&]<ContactLaw Law>(const Law&) {
-        const PairConstants<double>& pair = s.pairs.grains[0];
-        double overlap = radius;  // bisection on a law of unknown shape
-        double low = 0.0;
-        for (int k = 0; k < 60; ++k) {
-          const double middle = 0.5 * (low + overlap);
-          (Law::respond(pair, middle, 0.5 * radius, 0.5).force < force ? low : overlap) = middle;
+        double stiffest = 0.0;
+        for (const PairConstants<double>& pair : s.pairs.grains) {
+          double overlap = radius;  // bisection on a law of unknown shape
+          double low = 0.0;
+          for (int k = 0; k < 60; ++k) {
+            const double middle = 0.5 * (low + overlap);
+            (Law::respond(pair, middle, 0.5 * radius, 0.5).force < force ? low : overlap) = middle;
+          }
+          stiffest = std::max(stiffest, Law::respond(pair, overlap, 0.5 * radius, 0.5).normal);
         }
-        return std::sqrt(2.0 * mass / (3.0 * Law::respond(pair, overlap, 0.5 * radius, 0.5).normal));
+        return std::sqrt(2.0 * mass / (3.0 * stiffest));
       },
       s.law);
 }
@@ -278,9 +282,10 @@ Packing make_packing(const PackingSource& source, std::span<const Material> mate
   const MotionOptions motion{.damping = options.damping, .safety = options.safety, .strain_with_box = true};
   GrainSystem system = make_grain_system(particles, packing.domain, materials, contact, motion);
   const double largest = *std::max_element(particles.radius.begin(), particles.radius.end());
-  double diameter = 0.0;
+  double diameter = 0.0, mass = 0.0;
   for (const double r : particles.radius) diameter += 2.0 * r / particles.size();
-  const double density = materials[to_size(source.material)].density;
+  for (const double m : particles.mass) mass += m;
+  const double density = mass / ((1.0 - packing.report.porosity_box) * packing.domain.volume());
   Compaction c{.system = system,
                .options = options,
                .callback = callback,

@@ -10,6 +10,7 @@
 #include "puadem/dem/grading.hpp"
 #include "puadem/dem/grain_system.hpp"
 #include "puadem/dem/material.hpp"
+#include "puadem/dem/mixture.hpp"
 #include "puadem/dem/particles.hpp"
 #include "puadem/dem/stress.hpp"
 #include "puadem/geometry/domain.hpp"
@@ -59,8 +60,8 @@ using CompactionCallback = std::function<bool(const CompactionProgress&)>;
 struct PackingSource {
   Grading grading;
   int count = 1000;
-  int material = 0;     ///< index of the grains' material
-  Vec3 shape{1, 1, 1};  ///< proportions of the box [-]
+  std::vector<MaterialShare> materials{{}};  ///< what the grains are made of, by volume
+  Vec3 shape{1, 1, 1};                       ///< proportions of the box [-]
   std::array<bool, 3> periodic{false, false, false};
   std::uint64_t seed = 1;
 };

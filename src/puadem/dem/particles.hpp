@@ -26,8 +26,12 @@ struct Particles {
   int size() const { return size_of(radius); }
 };
 
-/// Grains at rest from places and radii, all of one material. Fills mass and inertia.
-/// @throws InputError  a radius that is not positive, or sizes of the two lists that differ
+/// Grains at rest from places, radii and materials. Fills mass and inertia.
+/// @throws InputError  a radius that is not positive, a material that does not exist, or sizes of the lists that differ
+Particles make_particles(std::span<const Vec3> position, std::span<const double> radius, std::span<const Material> materials,
+                         std::span<const int> material);
+
+/// The same, all of one material.
 Particles make_particles(std::span<const Vec3> position, std::span<const double> radius, const Material& material,
                          int material_index = 0);
 

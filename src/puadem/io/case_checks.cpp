@@ -97,10 +97,38 @@ void check_grains(const TomlValue& tree, const Case& c, Problems& problems) {
     check_grading(tree, c, problems);
 }
 
+/// The error of a name that no material has.
+std::string no_material(const std::string& name, std::string_view user, const std::vector<std::string>& names) {
+  return fmt::format("no table [materials.{}] for {}; defined: {}{}", name, user, joined(names), did_you_mean(name, names));
+}
+
+void check_mixture(const TomlValue& tree, const Case& c, const std::vector<std::string>& names, Problems& problems) {
+  const Place place = place_of_key(tree, {"grains", "materials"});
+  if (has(tree, "grains", "material"))
+    problems.error(place, "grains.material and grains.materials exclude each other; remove one");
+  double sum = 0.0;
+  for (const GrainOptions::Share& share : c.grains.materials) {
+    sum += share.fraction;
+    if (!share.name.empty() && std::ranges::find(names, share.name) == names.end())
+      problems.error(place, no_material(share.name, "a share of grains.materials", names));
+  }
+  if (std::abs(sum - 1.0) > 1e-3)
+    problems.error(place, fmt::format("the fractions of grains.materials add to {:.6g}; they must add to 1", sum));
+}
+
+void check_pairs(const TomlValue& tree, const Case& c, const std::vector<std::string>& names, Problems& problems) {
+  for (const PairOverride& pair : c.contact.pairs)
+    for (const std::string& name : pair.materials)
+      if (!name.empty() && std::ranges::find(names, name) == names.end())
+        problems.error(place_of_key(tree, {"contact", "pair"}), no_material(name, "contact.pair", names));
+}
+
 /// A case that never needs the material of its grains may leave it out.
 void check_materials(const TomlValue& tree, Case& c, Problems& problems) {
   std::vector<std::string> names;
   for (const Material& m : c.materials) names.push_back(m.name);
+  check_pairs(tree, c, names, problems);
+  if (has(tree, "grains", "materials")) return check_mixture(tree, c, names, problems);
   if (std::ranges::find(names, c.grains.material) != names.end()) return;
   const bool is_named = has(tree, "grains", "material");
   if (c.materials.empty() && !is_named && !has_stage<CompactStage>(c)) {
@@ -137,8 +165,12 @@ void check_stage(const CompactStage& stage, const StageContext& at, Problems& pr
                    fmt::format("stage.{0}.porosity and stage.{0}.friction_angle exclude each other: to reach a porosity the "
                                "friction is found by itself; remove one",
                                at.index));
+  const auto is_used = [&](const Material& m) {
+    if (at.c.grains.materials.empty()) return m.name == at.c.grains.material;
+    return std::ranges::find(at.c.grains.materials, m.name, &GrainOptions::Share::name) != at.c.grains.materials.end();
+  };
   for (const Material& m : at.c.materials)
-    if (m.name == at.c.grains.material && stage.stress > 0.01 * m.youngs_modulus)
+    if (is_used(m) && stage.stress > 0.01 * m.youngs_modulus)
       problems.warning(at.value_place("stress"),
                        fmt::format("stage.{}.stress is {:.2g} of the modulus of {}: grains will overlap deeply", at.index,
                                    stage.stress / m.youngs_modulus, m.name));

@@ -120,6 +120,48 @@ const Section<Material>& material_section() {
   return section;
 }
 
+const Section<GrainOptions::Share>& share_section() {
+  using Share = GrainOptions::Share;
+  static const Section<Share> section{{
+      bind<Share>(needed(plain("name", "a name", "of a material in a mixture: a table [materials.NAME]", R"("glass")")),
+                  &Share::name),
+      bind<Share>(number("fraction", Interval{0, 1, true, false},
+                         "share of the solid volume; the shares add to 1, and every size of grain holds the mixture"),
+                  &Share::fraction),
+  }};
+  return section;
+}
+
+/// Two names.
+Field<PairOverride> pair_names_field() {
+  KeyInfo info = needed(plain("materials", "a list of two names", "the two materials that touch", R"(["glass", "rubber"])"));
+  return {info,
+          [info](const TomlValue& value, Problems& problems, PairOverride& p) {
+            if (value.kind != TomlValue::Kind::array || value.children.size() != 2)
+              return problems.error(value.place, problems.key + " must be a list of two names, such as " + info.example);
+            for (std::size_t k = 0; k < 2; ++k) read_value(value.children[k], info, problems, p.materials[k]);
+          },
+          [](const PairOverride& p) {
+            return p.materials[0].empty() ? std::string()
+                                          : "[" + toml_text(p.materials[0]) + ", " + toml_text(p.materials[1]) + "]";
+          }};
+}
+
+const Section<PairOverride>& pair_section() {
+  static const Section<PairOverride> section{{
+      pair_names_field(),
+      bind<PairOverride>(noted(quantity("friction_angle", "rad", Interval{0, 90 * degree, false, true}, between(0, 60 * degree),
+                                        R"("20 deg")", "between grains of the two materials"),
+                               "the smaller one of the two materials"),
+                         &PairOverride::friction_angle),
+      bind<PairOverride>(
+          noted(number("restitution", Interval{0, 1, true, false}, "coefficient of normal restitution of the pair"),
+                "that of [contact]"),
+          &PairOverride::restitution),
+  }};
+  return section;
+}
+
 }  // namespace
 
 const Section<GrainOptions>& grains_section() {
@@ -136,6 +178,10 @@ const Section<GrainOptions>& grains_section() {
                            &GrainOptions::material),
         bind_table<GrainOptions>(plain("grading", "a table", "sizes of the grains"), grading_section, &GrainOptions::grading),
     }};
+    s.fields.push_back(bind_tables<GrainOptions>(plain("materials", "a list of tables", "a mixture, in place of material"),
+                                                 share_section, &GrainOptions::materials));
+    auto& material = s.fields[2];
+    material.write = [write = material.write](const GrainOptions& g) { return g.materials.empty() ? write(g) : std::string(); };
     // A packing file replaces count and grading.
     auto& count = s.fields[1];
     count.write = [write = count.write](const GrainOptions& g) { return g.file ? std::string() : write(g); };
@@ -198,6 +244,8 @@ const Section<ContactOptions>& contact_section() {
                            &ContactOptions::twisting_stiffness),
       bind<ContactOptions>(number("twisting_friction", at_least(0), "eta_t: the same about the normal", between(0, 1)),
                            &ContactOptions::twisting_friction),
+      bind_tables<ContactOptions>(plain("pair", "a list of tables", "two materials whose contact has constants of its own"),
+                                  pair_section, &ContactOptions::pairs),
   }};
   return section;
 }

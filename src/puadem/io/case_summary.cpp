@@ -74,10 +74,18 @@ std::string faces_text(const std::array<bool, 3>& periodic) {
   return fmt::format("periodic in {}{}", joined(directions, " and "), directions.size() < 3 ? ", walls elsewhere" : "");
 }
 
+/// "glass", "70 % glass, 30 % rubber".
+std::string materials_text(const Case& c) {
+  std::string text;
+  for (const GrainOptions::Share& share : c.grains.materials)
+    text += fmt::format("{}{:.4g} % {}", text.empty() ? "" : ", ", 100.0 * share.fraction, share.name);
+  return text.empty() ? c.grains.material : text;
+}
+
 void describe_grains(const Case& c, const Basis& basis, CaseSummary& summary) {
   const GrainStatistics& s = basis.sizes;
   add(summary, "grains",
-      fmt::format("{} of {}{}", basis.grains, c.grains.material, c.grains.file ? ", from " + c.grains.file->string() : ""));
+      fmt::format("{} of {}{}", basis.grains, materials_text(c), c.grains.file ? ", from " + c.grains.file->string() : ""));
   const std::string range = s.smallest == s.largest
                                 ? show(2 * s.smallest, "m")
                                 : fmt::format("{} to {}", show(2 * s.smallest, "m"), show(2 * s.largest, "m"));
@@ -129,10 +137,13 @@ void describe_fluids(const Case& c, const Basis& basis, CaseSummary& summary) {
 /// Critical time step of a typical grain of the smallest size under the target stress: the mean contact
 /// force of a packing, its stiffness by the contact law, and the sums of theory 2.11.
 std::string time_step_text(const Case& c, const CompactStage& stage, const Basis& basis) {
-  const auto material = std::ranges::find(c.materials, c.grains.material, &Material::name);
   const MaterialPairs pairs = material_pairs(c.materials, c.contact);
-  const auto index = to_size(static_cast<int>(std::distance(c.materials.begin(), material)));
-  const PairConstants<double>& pair = pairs.grains[index * to_size(pairs.materials) + index];
+  int index = -1;  // of a mixture the one whose waves are fastest
+  for (const MaterialShare& share : grain_materials(c)) {
+    const auto stiffness = [&](int m) { return c.materials[to_size(m)].youngs_modulus / c.materials[to_size(m)].density; };
+    if (index < 0 || stiffness(share.material) > stiffness(index)) index = share.material;
+  }
+  const PairConstants<double>& pair = pairs.grains[to_size(index * pairs.materials + index)];
   const double radius = basis.sizes.smallest, effective_radius = 0.5 * radius;
   const double force = 4.0 * pi * radius * radius * stage.stress / ((1.0 - basis.porosity) * contacts_per_grain);
   const auto respond = [&](double overlap) {
@@ -146,7 +157,7 @@ std::string time_step_text(const Case& c, const CompactStage& stage, const Basis
     (respond(middle).force < force ? low : high) = middle;
   }
   const auto stiffness = respond(high);
-  const double mass = material->density * 4.0 / 3.0 * pi * radius * radius * radius;
+  const double mass = c.materials[to_size(index)].density * 4.0 / 3.0 * pi * radius * radius * radius;
   const double translation = contacts_per_grain / 3.0 * (stiffness.normal + 2.0 * stiffness.shear) / mass;
   const double rotation = contacts_per_grain * 2.0 / 3.0 * stiffness.shear / (0.4 * mass);
   const double step = std::sqrt(2.0 / std::max(translation, rotation));

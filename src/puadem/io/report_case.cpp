@@ -47,9 +47,10 @@ json grain_rows(const Case& c) {
     rows.push_back({"Grains", std::to_string(c.grains.count)});
     add_grading_rows(c.grains.grading, rows);
   }
-  for (const Material& m : c.materials) {
-    if (m.name != c.grains.material) continue;
-    rows.push_back({"Material", m.name});
+  for (const MaterialShare& share : grain_materials(c)) {
+    const Material& m = c.materials[to_size(share.material)];
+    rows.push_back(
+        {"Material", share.fraction < 1.0 ? fmt::format("{:.4g} % {} by volume", 100.0 * share.fraction, m.name) : m.name});
     rows.push_back({"Density", fmt::format("{:.4g} kg/m³", m.density)});
     rows.push_back({"Young's modulus", in_print(m.youngs_modulus, "Pa")});
     rows.push_back({"Poisson's ratio", fmt::format("{:.4g}", m.poisson_ratio)});
