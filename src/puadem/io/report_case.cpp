@@ -47,7 +47,7 @@ json grain_rows(const Case& c) {
     rows.push_back({"Grains", std::to_string(c.grains.count)});
     add_grading_rows(c.grains.grading, rows);
   }
-  for (const MaterialShare& share : grain_materials(c)) {
+  for (const MaterialShare& share : c.materials.empty() ? std::vector<MaterialShare>() : grain_materials(c)) {
     const Material& m = c.materials[to_size(share.material)];
     rows.push_back(
         {"Material", share.fraction < 1.0 ? fmt::format("{:.4g} % {} by volume", 100.0 * share.fraction, m.name) : m.name});
