@@ -13,10 +13,10 @@ TriaxialBalance run_triaxial(const TriaxialSetUp& set_up) {
   ContactOptions contact;
   contact.law = set_up.law;
   contact.wall_friction = 0.2;
-  const PackingSource source{.grading = {Grading::By::mass, {{0.8 * diameter, 1.2 * diameter, 1.0}}},
-                             .count = set_up.count,
-                             .shape = {1, 1, 1},
-                             .periodic = {set_up.is_periodic, set_up.is_periodic, set_up.is_periodic}};
+  PackingSource source;
+  source.grading.classes = {{0.8 * diameter, 1.2 * diameter, 1.0}};
+  source.count = set_up.count;
+  source.periodic = {set_up.is_periodic, set_up.is_periodic, set_up.is_periodic};
   CompactionOptions compaction;
   compaction.stress = set_up.stress;
   compaction.friction_angle = std::atan(set_up.compaction_friction);
