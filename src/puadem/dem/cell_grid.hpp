@@ -58,17 +58,21 @@ struct SizedGrids {
 };
 SizedGrids make_sized_grids(std::span<const Lanes> place, double margin);
 
+/// Calls `visit(b)` for every sphere b with |x_a - x_b| < r_a + r_b + margin that is larger by its grid than a,
+/// or in the same one and numbered higher.
+template <class Visit>
+void for_each_later_partner(const SizedGrids& grids, std::span<const Lanes> place, double margin, int a, const Visit& visit) {
+  const int own = grids.level[to_size(a)];
+  for (int level = 0; level < own; ++level) for_each_near(grids.grid[to_size(level)], place[to_size(a)], margin, visit);
+  for_each_near(grids.grid[to_size(own)], place[to_size(a)], margin, [&](int b) {
+    if (b > a) visit(b);
+  });
+}
+
 /// Calls `visit(a, b)` once for every two spheres with |x_a - x_b| < r_a + r_b + margin, in order of a.
 template <class Visit>
 void for_each_close_pair(const SizedGrids& grids, std::span<const Lanes> place, double margin, const Visit& visit) {
-  for (int a = 0; a < size_of(place); ++a) {
-    const int own = grids.level[to_size(a)];
-    for (int level = 0; level < own; ++level)
-      for_each_near(grids.grid[to_size(level)], place[to_size(a)], margin, [&](int b) { visit(a, b); });
-    for_each_near(grids.grid[to_size(own)], place[to_size(a)], margin, [&](int b) {
-      if (b > a) visit(a, b);
-    });
-  }
+  for (int a = 0; a < size_of(place); ++a) for_each_later_partner(grids, place, margin, a, [&](int b) { visit(a, b); });
 }
 
 }  // namespace puadem

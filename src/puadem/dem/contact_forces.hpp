@@ -12,7 +12,7 @@ void update_contact_forces(GrainSystem& system);
 /// Sum of the slots of record k, ordered by identity of the partner: force [N] and the sum of moments,
 /// -R of which is the torque.
 /// Rows end with that many spare entries, so that a sum can ask for slots ahead of time.
-inline constexpr int rows_ahead = 24;
+inline constexpr int rows_ahead = 48;
 struct SlotSum {
   Lanes force;
   Lanes moment;

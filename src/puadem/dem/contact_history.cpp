@@ -45,16 +45,17 @@ ContactHistory keep_history(ContactBlocks&& blocks, const std::vector<int>& iden
   return history;
 }
 
-void restore_history(const ContactHistory& history, int owner, int partner, ContactBlocks& blocks, int lane) {
+void restore_history(const ContactHistory& history, int owner, int partner, ContactBlocks& blocks, int block, int lane) {
   for (int e = history.start[to_size(owner)]; e < history.start[to_size(owner) + 1]; ++e) {
     const ContactHistory::Entry& entry = history.entry[to_size(e)];
     if (entry.partner != partner) continue;
-    copy_lane(history.blocks.shear[to_size(entry.block)], entry.lane, blocks.shear.back(), lane);
-    if (!blocks.viscous.empty()) blocks.viscous.back().pace[lane] = history.blocks.viscous[to_size(entry.block)].pace[entry.lane];
+    copy_lane(history.blocks.shear[to_size(entry.block)], entry.lane, blocks.shear[to_size(block)], lane);
+    if (!blocks.viscous.empty())
+      blocks.viscous[to_size(block)].pace[lane] = history.blocks.viscous[to_size(entry.block)].pace[entry.lane];
     if (!blocks.roll.empty()) {
       const RollHistory& old = history.blocks.roll[to_size(entry.block)];
-      copy_lane(old.bend, entry.lane, blocks.roll.back().bend, lane);
-      blocks.roll.back().twist[lane] = old.twist[entry.lane];
+      copy_lane(old.bend, entry.lane, blocks.roll[to_size(block)].bend, lane);
+      blocks.roll[to_size(block)].twist[lane] = old.twist[entry.lane];
     }
     return;
   }

@@ -20,7 +20,7 @@ struct ContactHistory {
 /// Takes the old list over; `identity` still belongs to it.
 ContactHistory keep_history(ContactBlocks&& blocks, const std::vector<int>& identity, int grains, bool with_walls);
 
-/// Copies the history that `owner` and `partner` had, if any, to a lane of the last block of `blocks`.
-void restore_history(const ContactHistory& history, int owner, int partner, ContactBlocks& blocks, int lane);
+/// Copies the history that `owner` and `partner` had, if any, to a lane of a block.
+void restore_history(const ContactHistory& history, int owner, int partner, ContactBlocks& blocks, int block, int lane);
 
 }  // namespace puadem

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "puadem/base/large_array.hpp"
 #include "puadem/dem/contact_law.hpp"
 #include "puadem/dem/lanes.hpp"
 #include "puadem/dem/material.hpp"
@@ -50,12 +51,12 @@ struct alignas(32) ViscousHistory {
 /// has the lower identity, so that a contact has one orientation however the records are sorted. A
 /// contact with a wall names the grain as second.
 struct ContactBlocks {
-  std::vector<std::array<int, 4>> first;  ///< record indices; for wall contacts the wall
-  std::vector<std::array<int, 4>> second;
-  std::vector<LaneVec3> shear;          ///< history: shear force on the second grain [N]
-  std::vector<RollHistory> roll;        ///< empty unless contacts resist rolling
-  std::vector<ViscousHistory> viscous;  ///< empty unless contacts have a viscous part
-  std::vector<std::uint8_t> live;       ///< is any slot or history of the block not zero?
+  LargeArray<std::array<int, 4>> first;  ///< record indices; for wall contacts the wall
+  LargeArray<std::array<int, 4>> second;
+  LargeArray<LaneVec3> shear;          ///< history: shear force on the second grain [N]
+  LargeArray<RollHistory> roll;        ///< empty unless contacts resist rolling
+  LargeArray<ViscousHistory> viscous;  ///< empty unless contacts have a viscous part
+  std::vector<std::uint8_t> live;      ///< is any slot or history of the block not zero?
   int size() const { return size_of(first); }
 };
 
@@ -97,7 +98,7 @@ struct GrainSystem {
   std::vector<Vec3> external_force;  ///< by identity [N]; empty: none
 
   int owned = 0;  ///< grains; images follow them, then one dummy
-  std::vector<GrainRecord> record;
+  LargeArray<GrainRecord> record;
   std::vector<int> identity;                    ///< of every owned grain and image
   std::vector<int> image_owner;                 ///< record of the grain that image k repeats
   std::vector<std::array<int, 3>> image_shift;  ///< in box lengths
@@ -114,11 +115,11 @@ struct GrainSystem {
 
   ContactBlocks grain_contacts;
   ContactBlocks wall_contacts;
-  std::vector<int> wall_start;      ///< blocks of wall w: wall_start[w] .. wall_start[w + 1]
-  std::vector<ContactSlot> slot;    ///< of grain contacts, then of wall contacts
-  std::vector<RollSlot> roll_slot;  ///< like `slot`; empty unless contacts resist rolling
-  std::vector<int> row_start;       ///< slots of record k: row[row_start[k]] .. row[row_start[k + 1]], by identity of the partner
-  std::vector<int> row;             ///< 2 * slot + (is the grain the second one)
+  std::vector<int> wall_start;     ///< blocks of wall w: wall_start[w] .. wall_start[w + 1]
+  LargeArray<ContactSlot> slot;    ///< of grain contacts, then of wall contacts
+  LargeArray<RollSlot> roll_slot;  ///< like `slot`; empty unless contacts resist rolling
+  LargeArray<int> row_start;       ///< slots of record k: row[row_start[k]] .. row[row_start[k + 1]], by identity of the partner
+  LargeArray<int> row;             ///< 2 * slot + (is the grain the second one)
 };
 
 /// A system that holds `particles` in a box with six walls or periodic faces, list and forces not yet made.

@@ -57,7 +57,7 @@ void sort_records(GrainSystem& s) {
   std::sort(key.begin(), key.end(), [&](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : s.identity[to_size(a.second)] < s.identity[to_size(b.second)];
   });
-  std::vector<GrainRecord> record(to_size(s.owned));
+  LargeArray<GrainRecord> record(to_size(s.owned));
   std::vector<int> identity(to_size(s.owned));
   for (int k = 0; k < s.owned; ++k) {
     record[to_size(k)] = s.record[to_size(key[to_size(k)].second)];
@@ -102,81 +102,102 @@ struct Candidate {
   int first, second;  ///< records; for walls the wall first
 };
 
-/// Appends candidates as full blocks with the history kept for them.
-/// @param owner, partner  names of a candidate in the history
-template <class Owner, class Partner>
-void append(ContactBlocks& blocks, const std::vector<Candidate>& candidates, const ContactHistory& history, bool rolls,
-            bool is_viscous, int dummy, int dummy_first, const Owner& owner, const Partner& partner) {
-  for (int c = 0; c < size_of(candidates); c += lane_count) {
-    blocks.first.push_back({dummy_first, dummy_first, dummy_first, dummy_first});
-    blocks.second.push_back({dummy, dummy, dummy, dummy});
-    blocks.shear.push_back(LaneVec3{});
-    if (rolls) blocks.roll.push_back(RollHistory{});
-    if (is_viscous) blocks.viscous.push_back(ViscousHistory{});
-    blocks.live.push_back(1);
-    for (int l = 0; l < lane_count && c + l < size_of(candidates); ++l) {
-      const Candidate& candidate = candidates[to_size(c + l)];
-      blocks.first.back()[to_size(l)] = candidate.first;
-      blocks.second.back()[to_size(l)] = candidate.second;
-      restore_history(history, owner(candidate), partner(candidate), blocks, l);
-    }
-  }
+/// Candidates of neighbouring grains. Pairs that touch stand together, so that blocks without a contact leave
+/// the kernel early.
+struct Group {
+  std::vector<Candidate> touching, near;
+};
+
+int blocks_for(const std::vector<Candidate>& candidates) { return (size_of(candidates) + lane_count - 1) / lane_count; }
+
+/// First block of every group, and their number.
+std::vector<int> block_starts(const std::vector<Group>& groups) {
+  std::vector<int> start{0};
+  for (const Group& g : groups) start.push_back(start.back() + blocks_for(g.touching) + blocks_for(g.near));
+  return start;
 }
 
+/// Lists the groups in blocks of four with the history kept for them.
+/// @param dummy_first  in group g the first of a lane without a candidate
+/// @param owner, partner  names of a candidate in the history
+template <class DummyFirst, class Owner, class Partner>
+ContactBlocks fill_blocks(const GrainSystem& s, const std::vector<Group>& groups, const std::vector<int>& start,
+                          const ContactHistory& history, const DummyFirst& dummy_first, const Owner& owner,
+                          const Partner& partner) {
+  const int dummy = s.owned + size_of(s.image_owner);
+  const std::size_t count = to_size(start.back());
+  ContactBlocks blocks;
+  blocks.first.resize(count);
+  blocks.second.resize(count, {dummy, dummy, dummy, dummy});
+  blocks.shear.resize(count);
+  if (resists_rolling(s.contact)) blocks.roll.resize(count);
+  if (has_dashpots(s)) blocks.viscous.resize(count);
+  blocks.live.resize(count, 1);
+  const auto fill = [&](int block, const std::vector<Candidate>& candidates, int empty) {
+    for (int c = 0; c < lane_count * blocks_for(candidates); ++c) {
+      const int b = block + c / lane_count, lane = c % lane_count;
+      blocks.first[to_size(b)][to_size(lane)] = empty;
+      if (c >= size_of(candidates)) continue;
+      const Candidate& candidate = candidates[to_size(c)];
+      blocks.first[to_size(b)][to_size(lane)] = candidate.first;
+      blocks.second[to_size(b)][to_size(lane)] = candidate.second;
+      restore_history(history, owner(candidate), partner(candidate), blocks, b, lane);
+    }
+  };
+  parallel_for(
+      size_of(groups),
+      [&](int g) {
+        const Group& group = groups[to_size(g)];
+        fill(start[to_size(g)], group.touching, dummy_first(g));
+        fill(start[to_size(g)] + blocks_for(group.touching), group.near, dummy_first(g));
+      },
+      4);
+  return blocks;
+}
+
+/// A pair across a periodic face is listed by the grain of lower identity and the image of the other.
 void list_grain_contacts(GrainSystem& s, const ContactHistory& history) {
   const int spheres = s.owned + size_of(s.image_owner);
   std::vector<Lanes> place(to_size(spheres));
   for (int k = 0; k < spheres; ++k) place[to_size(k)] = s.record[to_size(k)].place;
-
-  // Grains are taken in groups that are neighbours in space. Within a group the pairs that touch stand
-  // together, so that blocks without a contact leave the kernel early. A pair across a periodic face is listed
-  // by the grain of lower identity and the image of the other.
-  std::vector<Candidate> touching, near;
+  const SizedGrids grids = make_sized_grids(place, s.skin);
   const int* identity = s.identity.data();
-  s.grain_contacts = {};
-  const int dummy = spheres;
-  const auto owner = [&](const Candidate& c) { return identity[c.first]; };
-  const auto partner = [&](const Candidate& c) { return identity[c.second]; };
-  const auto list_group = [&] {
-    for (std::vector<Candidate>* pairs : {&touching, &near}) {
-      append(s.grain_contacts, *pairs, history, resists_rolling(s.contact), has_dashpots(s), dummy, dummy, owner, partner);
-      pairs->clear();
-    }
+  std::vector<Group> groups(to_size((spheres + grains_per_group - 1) / grains_per_group));
+  const auto search = [&](int g) {
+    Group& group = groups[to_size(g)];
+    for (int a = g * grains_per_group; a < std::min((g + 1) * grains_per_group, spheres); ++a)
+      for_each_later_partner(grids, place, s.skin, a, [&](int b) {
+        if (a >= s.owned && b >= s.owned) return;
+        const Candidate pair = identity[a] < identity[b] ? Candidate{a, b} : Candidate{b, a};
+        if (pair.first >= s.owned || identity[a] == identity[b]) return;
+        const Lanes d = place[to_size(a)] - place[to_size(b)];
+        const double reach = place[to_size(a)][3] + place[to_size(b)][3];
+        (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach ? group.touching : group.near).push_back(pair);
+      });
   };
-  int group = 0;
-  for_each_close_pair(make_sized_grids(place, s.skin), place, s.skin, [&](int a, int b) {
-    if (a >= s.owned && b >= s.owned) return;
-    const Candidate pair = identity[a] < identity[b] ? Candidate{a, b} : Candidate{b, a};
-    if (pair.first >= s.owned || identity[a] == identity[b]) return;
-    if (a / grains_per_group != group) {
-      list_group();
-      group = a / grains_per_group;
-    }
-    const Lanes d = place[to_size(a)] - place[to_size(b)];
-    const double reach = place[to_size(a)][3] + place[to_size(b)][3];
-    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach ? touching : near).push_back(pair);
-  });
-  list_group();
+  parallel_for(size_of(groups), search, 4);
+  s.grain_contacts = fill_blocks(
+      s, groups, block_starts(groups), history, [&](int) { return spheres; },
+      [&](const Candidate& c) { return identity[c.first]; }, [&](const Candidate& c) { return identity[c.second]; });
 }
 
+/// One group a wall, its grains by identity.
 void list_wall_contacts(GrainSystem& s, const ContactHistory& history) {
-  const int dummy = s.owned + size_of(s.image_owner);
-  s.wall_contacts = {};
-  s.wall_start.assign(1, 0);
   std::vector<int> record_of(to_size(s.owned));
   for (int k = 0; k < s.owned; ++k) record_of[to_size(s.identity[to_size(k)])] = k;
-  const auto owner = [&](const Candidate& c) { return s.identity[to_size(c.second)]; };
-  const auto partner = [](const Candidate& c) { return c.first; };
-  for (int w = 0; w < size_of(s.walls); ++w) {
+  std::vector<Group> groups(s.walls.size());
+  const auto search = [&](int w) {
     const Wall& wall = s.walls[to_size(w)];
-    std::vector<Candidate> near;
     for (const int k : record_of) {
       const GrainRecord& r = s.record[to_size(k)];
-      if (dot(vec3(r.place) - wall.point, wall.normal) < radius_of(r) + s.skin) near.push_back({w, k});
+      if (dot(vec3(r.place) - wall.point, wall.normal) < radius_of(r) + s.skin) groups[to_size(w)].near.push_back({w, k});
     }
-    append(s.wall_contacts, near, history, resists_rolling(s.contact), has_dashpots(s), dummy, w, owner, partner);
-    s.wall_start.push_back(s.wall_contacts.size());
-  }
+  };
+  parallel_for(size_of(groups), search, 1);
+  s.wall_start = block_starts(groups);
+  s.wall_contacts = fill_blocks(
+      s, groups, s.wall_start, history, [](int w) { return w; },
+      [&](const Candidate& c) { return s.identity[to_size(c.second)]; }, [](const Candidate& c) { return c.first; });
 }
 
 /// For every grain its slots by identity of the partner, walls last.
@@ -186,7 +207,7 @@ void make_rows(GrainSystem& s) {
   };
   const int dummy = s.owned + size_of(s.image_owner);
   const auto owner = [&](int record) { return record < s.owned ? record : s.image_owner[to_size(record - s.owned)]; };
-  std::vector<int>& start = s.row_start;
+  auto& start = s.row_start;
   start.assign(to_size(s.owned) + 1, 0);
   const auto for_each_end = [&](const auto& visit) {
     const ContactBlocks& g = s.grain_contacts;
@@ -211,12 +232,12 @@ void make_rows(GrainSystem& s) {
   std::vector<int> next(start.begin(), start.end() - 1);
   for_each_end([&](int record, int partner, int place) { entry[to_size(next[to_size(record)]++)] = {partner, place}; });
   s.row.assign(entry.size() + to_size(rows_ahead), 0);
-  for (int k = 0; k < s.owned; ++k) {
+  parallel_for(s.owned, [&](int k) {
     const auto begin = entry.begin() + start[to_size(k)], end = entry.begin() + start[to_size(k) + 1];
     std::sort(begin, end,
               [](const Entry& a, const Entry& b) { return a.partner != b.partner ? a.partner < b.partner : a.place < b.place; });
     for (auto e = begin; e != end; ++e) s.row[to_size(static_cast<int>(e - entry.begin()))] = e->place;
-  }
+  });
 }
 
 void remember_places(GrainSystem& s) {
@@ -280,7 +301,7 @@ std::array<double, 2> radius_range(const GrainSystem& s) {
 
 void update_images(GrainSystem& s) {
   const Vec3 size = s.domain.size();
-  for (int k = 0; k < size_of(s.image_owner); ++k) {
+  parallel_for(size_of(s.image_owner), [&](int k) {
     const GrainRecord& owner = s.record[to_size(s.image_owner[to_size(k)])];
     const auto& shift = s.image_shift[to_size(k)];
     GrainRecord& image = s.record[to_size(s.owned + k)];
@@ -289,7 +310,7 @@ void update_images(GrainSystem& s) {
       image.place[axis] += shift[static_cast<unsigned>(axis)] * size[axis];
       image.drift[axis] += shift[static_cast<unsigned>(axis)] * s.box_rate[axis];
     }
-  }
+  });
 }
 
 void build_neighbour_list(GrainSystem& s) {
