@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "puadem/base/error.hpp"
 #include "puadem/base/parallel.hpp"
@@ -33,21 +34,25 @@ constexpr int max_periods = 3;  // a halo wider than this means a box with too f
 /// Spheres on a grid of 2^-40 of the box: a periodic image is then an exact translation, so that the
 /// exact predicates, ties included, decide alike for a cell and for its image (theory 3.1).
 struct SnappedSpheres {
-  static constexpr double grid = 0x1p40;
-  static constexpr double wall_radius = 0x1p26;  ///< in units of the box; keeps wall curvature near 1e-8
+  static constexpr std::array grids{0x1p40, 0x1p36, 0x1p32, 0x1p28};  ///< the first, and what to try where images differ
+  static constexpr double wall_radius = 0x1p26;                       ///< in units of the box; keeps wall curvature near 1e-8
 
   std::vector<Vec3> centre;
   std::vector<double> weight;
   Vec3 period;
+  std::vector<Vec3> place;  ///< the centres on the grid [m]
 
-  SnappedSpheres(std::span<const Vec3> centres, std::span<const double> radii, const Domain& domain) {
+  SnappedSpheres(std::span<const Vec3> centres, std::span<const double> radii, const Domain& domain, double grid) {
     const Vec3 size = domain.size();
     const double scale = std::exp2(-std::ilogb(std::max({size.x, size.y, size.z})));
     const auto snap = [&](double x) { return std::nearbyint(x * scale * grid) / grid; };
     centre.reserve(centres.size());
     weight.reserve(radii.size());
-    for (const Vec3& c : centres)
+    place.reserve(centres.size());
+    for (const Vec3& c : centres) {
       centre.push_back({snap(c.x - domain.lower.x), snap(c.y - domain.lower.y), snap(c.z - domain.lower.z)});
+      place.push_back(domain.lower + centre.back() / scale);
+    }
     for (const double r : radii) weight.push_back(r * scale * (r * scale));
     period = {snap(size.x), snap(size.y), snap(size.z)};
   }
@@ -108,13 +113,18 @@ bool has_owned_grain(const CellVertices& cell) {
 
 class Builder {
  public:
-  Builder(std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain)
-      : centre_(centre), radius_(radius), domain_(domain), sites_of_(centre, radius, domain), spheres_(centre, radius, domain) {
+  Builder(std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain, double grid)
+      : centre_(centre),
+        radius_(radius),
+        domain_(domain),
+        spheres_(centre, radius, domain, grid),
+        sites_of_(spheres_.place, radius, domain) {
     largest_radius_ = *std::max_element(radius.begin(), radius.end());
     any_periodic_ = domain.periodic[0] || domain.periodic[1] || domain.periodic[2];
   }
 
-  Triangulation build() {
+  /// None where two images of the same grains were cut differently, near the grain of `differing`.
+  std::optional<Triangulation> build() {
     if (!any_periodic_) {
       insert(0.0);
     } else {
@@ -134,6 +144,8 @@ class Builder {
     require_all_visible();
     return collect();
   }
+
+  int differing = -1;
 
  private:
   void insert(double halo) {
@@ -217,7 +229,7 @@ class Builder {
     }
   }
 
-  Triangulation collect() {
+  std::optional<Triangulation> collect() {
     struct Kept {
       CellVertices vertices;
       Regular::Cell_handle handle;
@@ -255,9 +267,10 @@ class Builder {
         const CanonicalCell image = canonical(across);
         const auto found = std::lower_bound(kept.begin(), kept.end(), image.vertices,
                                             [](const Kept& a, const CellVertices& key) { return a.vertices < key; });
-        ensure(found != kept.end() && found->vertices == image.vertices,
-               "the triangulation is not periodic near grain {}: two images of the same grains were cut differently",
-               vertices[3].index);
+        if (found == kept.end() || found->vertices != image.vertices) {
+          differing = vertices[3].index;
+          return std::nullopt;
+        }
         neighbour = {static_cast<int>(found - kept.begin()), image.shift};
       }
     }
@@ -267,8 +280,8 @@ class Builder {
   std::span<const Vec3> centre_;
   std::span<const double> radius_;
   Domain domain_;
-  PackingSites sites_of_;
   SnappedSpheres spheres_;
+  PackingSites sites_of_;  // as the predicates see them
   double largest_radius_ = 0.0;
   bool any_periodic_ = false;
   Regular regular_;
@@ -290,7 +303,16 @@ Triangulation triangulate(std::span<const Vec3> centre, std::span<const double> 
               domain.lower[axis], domain.upper[axis], "xyz"[axis]);
     }
   }
-  return Builder(centre, radius, domain).build();
+  // A wall is very slightly curved. Where images of a nearly regular packing tie but for that, it decides, for each
+  // image in its own way; on a coarser grid they tie exactly.
+  int differing = -1;
+  for (const double grid : SnappedSpheres::grids) {
+    Builder builder(centre, radius, domain, grid);
+    if (auto triangulation = builder.build()) return std::move(*triangulation);
+    differing = builder.differing;
+  }
+  throw NumericalError(fmt::format(
+      "the triangulation is not periodic near grain {}: two images of the same grains were cut differently", differing));
 }
 
 }  // namespace puadem
