@@ -80,7 +80,8 @@ TEST(CaseErrors, OfSingleValues) {
        "case.toml:9:1: unknown key fluids.surface_tensoin; did you mean \"surface_tension\"?"},
       {"[fluids]", "[fluid]", "unknown key fluid; did you mean \"fluids\"?"},
       {"\"compact\"", "\"compct\"",
-       "stage.0.kind = \"compct\" is not known; allowed: compact, retention; did you mean \"compact\"?"},
+       "stage.0.kind = \"compct\" is not known; allowed: compact, isotropic, oedometer, triaxial, shear, settle, strain, "
+       "retention; did you mean \"compact\"?"},
       {"kind = \"compact\"", "", "case.toml:10:1: missing key stage.0.kind"},
       {"stress = \"10 kPa\"", "",
        "missing key stage.0.stress: target mean stress, compression positive; write stress = \"10 kPa\""},
@@ -260,6 +261,51 @@ TEST(CaseErrors, MutatedFilesNeverCrash) {
 TEST(CaseErrors, DeepNestingIsRefused) {
   EXPECT_THAT(error_of("a = " + std::string(100000, '[')), HasSubstr("not valid TOML"));
   EXPECT_THAT(error_of(good, {"title=" + std::string(100000, '[')}), HasSubstr("no error"));
+}
+
+/// Errors of a case with one stage after the compaction.
+std::string error_of_stage(const std::string& stage, std::vector<std::string> overrides = {}) {
+  const std::string text =
+      "[grains]\ncount = 100\ngrading.classes = [{ diameter = \"1 mm\" }]\n[materials.glass]\n[[stage]]\nkind = "
+      "\"compact\"\nstress = \"50 kPa\"\n[[stage]]\n";
+  return error_of(text + stage, std::move(overrides));
+}
+
+TEST(CaseErrors, OfStagesThatLoadGrains) {
+  EXPECT_EQ(error_of_stage("kind = \"triaxial\"\nstress = \"1 kPa\""), "no error");
+  EXPECT_THAT(error_of_stage("kind = \"triaxail\"\nstress = \"1 kPa\""), HasSubstr("did you mean \"triaxial\"?"));
+  EXPECT_THAT(error_of_stage("kind = \"triaxial\""), HasSubstr("missing key stage.1.stress"));
+  EXPECT_THAT(error_of_stage("kind = \"triaxial\"\nstress = 1e3\nstrain_rate = \"1 m/s\""),
+              HasSubstr("is a velocity; a rate is needed, such as \"1.0 1/s\""));
+  EXPECT_THAT(error_of_stage("kind = \"triaxial\"\nstress = 1e3\nstrain = 1.5"), HasSubstr("allowed: -1 to 1"));
+  EXPECT_THAT(error_of_stage("kind = \"triaxial\"\nstress = 1e3\nstrain = 0"), HasSubstr("leaves nothing to do"));
+  EXPECT_THAT(error_of_stage("kind = \"triaxial\"\nstress = 1e3\nstress_path = \"constant-volum\""),
+              HasSubstr("did you mean \"constant-volume\"?"));
+  EXPECT_THAT(error_of_stage("kind = \"oedometer\""), HasSubstr("needs either stage.1.path"));
+  EXPECT_THAT(error_of_stage("kind = \"oedometer\"\nstrain = 0.1\npath = [1e3]"), HasSubstr("needs either stage.1.path"));
+  EXPECT_THAT(error_of_stage("kind = \"oedometer\"\npath = [1e3, 1e3]"), HasSubstr("must differ from the one before it"));
+  EXPECT_THAT(error_of_stage("kind = \"settle\"\ntime = 1"), HasSubstr("set motion.gravity"));
+  EXPECT_THAT(error_of_stage("kind = \"settle\"\ntime = 1", {"motion.gravity=[0, 0, -9.81]", "domain.periodic=[\"z\"]"}),
+              HasSubstr("grains would fall for ever"));
+  EXPECT_THAT(error_of_stage("kind = \"settle\"\ntime = 1", {"motion.gravity=[0, -9.81]"}), HasSubstr("must have three values"));
+  EXPECT_THAT(error_of_stage("kind = \"settle\"\ntime = 1", {"motion.gravity=[0, 0, \"9.81 m/s\"]"}),
+              HasSubstr("an acceleration is needed"));
+  EXPECT_THAT(error_of_stage("kind = \"strain\"\ntime = 1\nstress_x = 1e3\nstrain_rate_x = 1"), HasSubstr("exclude each other"));
+  EXPECT_THAT(error_of_stage("kind = \"strain\"\ntime = 1"), HasSubstr("nothing would happen"));
+  EXPECT_THAT(error_of_stage("kind = \"isotropic\"\nstress = 1e3", {"motion.safety=1.5"}),
+              HasSubstr("motion.safety = 1.5 is out of range"));
+}
+
+TEST(CaseErrors, OfAShearThatTheBoxCannotDo) {
+  const std::string stage = "kind = \"shear\"\nnormal_stress = 1e3";
+  const std::vector<std::string> layer{"domain.periodic=[\"x\", \"y\"]", "contact.wall_friction=0.3"};
+  EXPECT_EQ(error_of_stage(stage, layer), "no error");
+  EXPECT_THAT(error_of_stage(stage, {layer[0]}),
+              HasSubstr("walls without friction cannot shear grains; set contact.wall_friction"));
+  EXPECT_THAT(error_of_stage(stage, {layer[1]}), HasSubstr("would pile up at its walls"));
+  EXPECT_THAT(error_of_stage(stage, {"domain.periodic=[\"x\", \"z\"]", layer[1]}),
+              HasSubstr("the axis z is periodic and has no walls"));
+  EXPECT_THAT(error_of_stage(stage + "\ndirection = \"z\"", layer), HasSubstr("must lie in the walls"));
 }
 
 }  // namespace

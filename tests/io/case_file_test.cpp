@@ -147,10 +147,34 @@ bool same(const RetentionStage& a, const RetentionStage& b) {
   const auto& [path, step, invasion] = a;
   return path == b.path && step == b.step && same(invasion, b.invasion);
 }
+bool same(const IsotropicStage& a, const IsotropicStage& b) {
+  const auto& [stress, unbalanced, damping] = a;
+  return stress == b.stress && unbalanced == b.unbalanced && damping == b.damping;
+}
+bool same(const OedometerStage& a, const OedometerStage& b) {
+  const auto& [path, strain, strain_rate, damping] = a;
+  return path == b.path && strain == b.strain && strain_rate == b.strain_rate && damping == b.damping;
+}
+bool same(const TriaxialStage& a, const TriaxialStage& b) {
+  const auto& [stress, path, strain, strain_rate, damping] = a;
+  return stress == b.stress && path == b.path && strain == b.strain && strain_rate == b.strain_rate && damping == b.damping;
+}
+bool same(const ShearStage& a, const ShearStage& b) {
+  const auto& [axis, direction, normal_stress, strain, shear_rate, damping] = a;
+  return axis == b.axis && direction == b.direction && normal_stress == b.normal_stress && strain == b.strain &&
+         shear_rate == b.shear_rate && damping == b.damping;
+}
+bool same(const SettleStage& a, const SettleStage& b) {
+  const auto& [time, unbalanced, damping] = a;
+  return time == b.time && unbalanced == b.unbalanced && damping == b.damping;
+}
+bool same(const StrainStage& a, const StrainStage& b) {
+  const auto& [stress, strain_rate, time, damping] = a;
+  return stress == b.stress && strain_rate == b.strain_rate && time == b.time && damping == b.damping;
+}
 bool same(const Stage& a, const Stage& b) {
   if (a.index() != b.index()) return false;
-  if (const auto* compact = std::get_if<CompactStage>(&a)) return same(*compact, std::get<CompactStage>(b));
-  return same(std::get<RetentionStage>(a), std::get<RetentionStage>(b));
+  return std::visit([&](const auto& x) { return same(x, std::get<std::decay_t<decltype(x)>>(b)); }, a);
 }
 bool same(const GradingTable& a, const GradingTable& b) {
   const auto& [diameter, passing, interpolation] = a;
@@ -173,18 +197,21 @@ bool same(const std::optional<T>& a, const std::optional<T>& b) {
   return a.has_value() == b.has_value() && (!a || same(*a, *b));
 }
 bool same(const Case& a, const Case& b) {
-  const auto& [title, seed, domain, grains, materials, contact, fluids, pores, stages, output, overlays, expected] = a;
+  const auto& [title, seed, domain, grains, materials, contact, motion, fluids, pores, stages, output, overlays, expected] = a;
   const auto& [size, shape, periodic] = domain;
   const auto& [file, count, grading, material, mixture] = grains;
   const auto& [by, classes, table, lognormal] = grading;
-  const auto& [fields, fields_every] = output;
+  const auto& [fields, fields_every, fields_count, history_rows] = output;
+  const auto& [gravity, safety] = motion;
   return title == b.title && seed == b.seed && size == b.domain.size && shape == b.domain.shape &&
          periodic == b.domain.periodic && file == b.grains.file && count == b.grains.count && by == b.grains.grading.by &&
          same(classes, b.grains.grading.classes) && same(table, b.grains.grading.table) &&
          same(lognormal, b.grains.grading.lognormal) && material == b.grains.material && same(mixture, b.grains.materials) &&
          same(materials, b.materials) && same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) &&
          same(stages, b.stages) && fields == b.output.fields && fields_every == b.output.fields_every &&
-         same(overlays, b.overlays) && std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
+         fields_count == b.output.fields_count && history_rows == b.output.history_rows && gravity == b.motion.gravity &&
+         safety == b.motion.safety && same(overlays, b.overlays) &&
+         std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
            return x.first == y.first && x.second.low == y.second.low && x.second.high == y.second.high;
          });
 }
@@ -287,6 +314,81 @@ TEST(CaseFile, TakesAFrictionAngleInPlaceOfAPorosity) {
   EXPECT_TRUE(
       same(std::get<CompactStage>(c.stages[0]), {5e3, {}, 9 * (std::numbers::pi / 180), CompactStage::Region::box, 1e-4, 0.2}));
   EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/elsewhere").c, c));
+}
+
+const std::string loading = R"(
+[domain]
+periodic = ["x", "y"]
+[grains]
+count = 100
+grading.classes = [{ diameter = "1 mm" }]
+[materials.glass]
+[contact]
+wall_friction = 0.3
+[motion]
+gravity = [0, 0, "-9.81 m/s2"]
+safety = 0.25
+[[stage]]
+kind = "compact"
+stress = "50 kPa"
+[[stage]]
+kind = "isotropic"
+stress = "60 kPa"
+unbalanced = 1e-4
+damping = 0.1
+[[stage]]
+kind = "oedometer"
+path = ["100 kPa", "20 kPa"]
+strain_rate = "2 1/s"
+[[stage]]
+kind = "oedometer"
+strain = -0.01
+[[stage]]
+kind = "triaxial"
+stress = "100 kPa"
+stress_path = "constant-mean"
+strain = 0.1
+strain_rate = "500 1/s"
+damping = 0.3
+[[stage]]
+kind = "shear"
+axis = "z"
+direction = "y"
+normal_stress = "70 kPa"
+strain = 0.5
+shear_rate = "1 1/s"
+[[stage]]
+kind = "settle"
+time = "20 ms"
+unbalanced = 0.01
+[[stage]]
+kind = "strain"
+stress_x = "30 kPa"
+strain_rate_z = "-2 1/s"
+time = "1 ms"
+[output]
+fields_count = 3
+history_rows = 50
+)";
+
+TEST(CaseFile, ReadsTheStagesThatLoadGrains) {
+  const CaseFile file = parse_case(loading, "case.toml", "/study");
+  const Case& c = file.c;
+  EXPECT_EQ(c.motion.gravity, (Vec3{0, 0, -9.81}));
+  EXPECT_EQ(c.motion.safety, 0.25);
+  EXPECT_EQ(c.output.fields_count, 3);
+  EXPECT_EQ(c.output.history_rows, 50);
+  ASSERT_EQ(c.stages.size(), 8U);
+  EXPECT_TRUE(same(c.stages[1], IsotropicStage{60e3, 1e-4, 0.1}));
+  EXPECT_TRUE(same(c.stages[2], OedometerStage{{100e3, 20e3}, {}, 2.0, 0.2}));
+  EXPECT_TRUE(same(c.stages[3], OedometerStage{{}, -0.01, {}, 0.2}));
+  EXPECT_TRUE(same(c.stages[4], TriaxialStage{100e3, TriaxialStage::StressPath::constant_mean, 0.1, 500.0, 0.3}));
+  EXPECT_TRUE(same(c.stages[5], ShearStage{2, 1, 70e3, 0.5, 1.0, 0.2}));
+  EXPECT_TRUE(same(c.stages[6], SettleStage{0.02, 0.01, 0.2}));
+  EXPECT_TRUE(same(c.stages[7], StrainStage{{30e3, {}, {}}, {0, 0, -2}, 1e-3, 0.2}));
+  const Case back = parse_case(resolved_case(c), "resolved", "/elsewhere").c;
+  EXPECT_TRUE(same(back, c));
+  EXPECT_EQ(resolved_case(back), resolved_case(c));
 }
 
 TEST(ResolvedCase, ReadsBackToTheSameCase) {

@@ -92,6 +92,36 @@ TEST(Report, CarriesCurvesFitsAndLoops) {
   EXPECT_FALSE(own["pore"]["pdf"].empty());
 }
 
+TEST(Report, CarriesTheStagesThatLoadedTheGrains) {
+  const TemporaryFolder scratch;
+  SyntheticRun run = make_synthetic_run(3, false);
+  std::string csv = history_header(run.state.domain);
+  for (int k = 0; k < 12; ++k) {
+    HistoryRow row;
+    row.stage = k < 8 ? "triaxial" : "triaxial-2";
+    row.strain.z = 0.01 * k;
+    row.volumetric = -0.001 * k;
+    row.mean = 1e5 + 1e3 * k;
+    row.deviator = 3e3 * k;
+    row.energy.input = 0.5 * k;
+    run.state.history.push_back(row);
+    csv += history_line(row, run.state.domain);
+  }
+  std::ofstream(scratch.path / "history.csv") << csv;
+  run.c.overlays = {{"other", scratch.path}};
+  const json data = data_of(html_of(run));
+  const json& stages = data["runs"][0]["loading"];
+  ASSERT_EQ(stages.size(), 2U);
+  EXPECT_EQ(stages[1]["name"], "triaxial-2");
+  EXPECT_EQ(stages[1]["kind"], "triaxial");
+  EXPECT_EQ(stages[0]["q"].size(), 8U);
+  EXPECT_EQ(stages[1]["axial_strain"][3], run.state.history[11].strain.z);
+  EXPECT_EQ(stages[1]["energy"]["input"][0], 4.0);
+  ASSERT_EQ(data["runs"].size(), 2U);  // an overlay without a retention curve
+  EXPECT_EQ(data["runs"][1]["loading"][0]["p"], stages[0]["p"]);
+  EXPECT_TRUE(data["manifest"]["warnings"].empty());
+}
+
 TEST(Report, OfAPackingHasNoCurves) {
   const json data = data_of(html_of(make_synthetic_run(3, false)));
   EXPECT_TRUE(data["runs"][0]["branches"].empty());
@@ -137,6 +167,18 @@ TEST(Report, OpensInABrowser) {
   const TemporaryFolder scratch;
   std::ofstream(scratch.path / "full.html") << html_of(make_synthetic_run(4));
   std::ofstream(scratch.path / "packing.html") << html_of(make_synthetic_run(3, false));
+  SyntheticRun loaded = make_synthetic_run(3, false);
+  for (const char* stage : {"isotropic", "oedometer", "triaxial", "strain", "shear", "triaxial-2"})
+    for (int k = 0; k < 5; ++k) {
+      HistoryRow row;
+      row.stage = stage;
+      row.strain.z = 0.01 * k;
+      row.stress.z = row.mean = row.normal_stress = 1e5 + 1e4 * k;
+      row.unbalanced = 0.1 / (k + 1);
+      row.energy.input = k;
+      loaded.state.history.push_back(row);
+    }
+  std::ofstream(scratch.path / "loading.html") << html_of(loaded);
   std::ofstream(scratch.path / "broken.html") << "<html data-rendered=\"yes\"><script>console.error('x')</script></html>";
   const std::string tool = (std::filesystem::path(__FILE__).parent_path() / "../../tools/check_report").string();
   const auto check = [&](const char* page, const char* more = "") {
@@ -144,6 +186,7 @@ TEST(Report, OpensInABrowser) {
   };
   EXPECT_EQ(check("full.html"), 0);
   EXPECT_EQ(check("packing.html"), 0);
+  EXPECT_EQ(check("loading.html"), 0);
   EXPECT_NE(check("broken.html", " 2>/dev/null"), 0);
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -29,6 +30,52 @@ TEST(SeriesWriter, KeepsTheColumnsThatScriptsRelyOn) {
   EXPECT_EQ(events_header, "event,kind,pc_Pa,pore,throat,units,wetting_volume_m3\n");
   EXPECT_EQ(distributions_header, "kind,bin_low,bin_high,pdf\n");
   EXPECT_EQ(event_line(3, {InvasionEventKind::snap_off, 512.5, 7, 9, 0, 0.0}), "3,snap_off,512.5,7,9,0,0\n");
+}
+
+TEST(SeriesWriter, HistoryNamesForcesOfWallsOnly) {
+  const TemporaryFolder scratch;
+  Domain box;
+  box.periodic = {true, true, false};
+  const std::string header = history_header(box);
+  EXPECT_TRUE(header.starts_with("time_s,stage,step,time_step_s,strain_xx,strain_yy,strain_zz,strain_volumetric,porosity,"));
+  EXPECT_THAT(header, HasSubstr(",sigma_zz_Pa,p_Pa,q_Pa,"));
+  EXPECT_THAT(header, HasSubstr(",force_top_z_N,position_top_m,"));
+  EXPECT_THAT(header, ::testing::Not(HasSubstr("force_left")));
+
+  HistoryRow row;
+  row.time = 0.25;
+  row.stage = "shear-2";
+  row.strain = {0.125, -0.5, 0.75};
+  row.volumetric = 0.375;
+  row.stress = {1.0, 2.0, 6.0};
+  row.mean = 3.0;
+  row.deviator = 4.5;
+  row.porosity = 0.5;
+  row.shear_strain = 0.0625;
+  row.normal_stress = 6.0;
+  row.shear_stress = 1.5;
+  row.wall_force[5] = {1.5, 0.0, 6.0};
+  row.energy.input = 7.0;
+  const std::string line = history_line(row, box);
+  EXPECT_EQ(std::ranges::count(line, ','), std::ranges::count(header, ','));
+  EXPECT_THAT(line, HasSubstr(",1.5,0,6,"));
+  std::ofstream(scratch.path / "history.csv") << header << line;
+  const auto back = read_history(scratch.path / "history.csv");
+  ASSERT_EQ(back.size(), 1U);
+  EXPECT_EQ(back[0].stage, "shear-2");
+  EXPECT_EQ(back[0].strain.z, 0.75);
+  EXPECT_EQ(back[0].volumetric, 0.375);
+  EXPECT_EQ(back[0].mean, 3.0);
+  EXPECT_EQ(back[0].deviator, 4.5);
+  EXPECT_EQ(back[0].stress.z, 6.0);
+  EXPECT_EQ(back[0].shear_stress, 1.5);
+  EXPECT_EQ(back[0].normal_stress, 6.0);
+
+  // A measured curve has few columns.
+  std::ofstream(scratch.path / "measured.csv") << "# source\nstrain_zz,p_Pa,q_Pa\n0.01,100,90\n";
+  const auto measured = read_history(scratch.path / "measured.csv");
+  ASSERT_EQ(measured.size(), 1U);
+  EXPECT_EQ(measured[0].stress.z, 160.0);  // p + 2 q / 3
 }
 
 TEST(SeriesWriter, NamesEveryEventDifferently) {

@@ -128,7 +128,7 @@ TEST(Units, SayWhatIsWrongAndWhere) {
 
 TEST(Units, NamesDimensions) {
   EXPECT_EQ(describe(dimension_of("Pa")), "a pressure or stress");
-  EXPECT_EQ(describe(dimension_of("m/s2")), "a quantity in m s-2");
+  EXPECT_EQ(describe(dimension_of("m/s2")), "an acceleration");
   EXPECT_EQ(si_unit(dimension_of("W/(m2 K)")), "kg s-3 K-1");
 }
 

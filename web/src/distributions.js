@@ -27,10 +27,10 @@ function draw(runs, kind, symbol) {
   };
 }
 
-export function distributionFigures(runs) {
+export function distributionFigures(runs, number) {
   const one = (kind, title, symbol, letter, text) => figure({
     name: `${kind}-radii`, title, size: "low", draw: () => draw(runs, kind, symbol),
-    caption: element("figcaption", {}, element("b", {}, `Figure 2${letter}. `), text),
+    caption: element("figcaption", {}, element("b", {}, `Figure ${number}${letter}. `), text),
     series: () => [["run", "bin_low", "bin_high", "pdf"], runs.flatMap((run) => run[kind].low.map((low, k) => [run.label, low, run[kind].high[k], run[kind].pdf[k]]))],
   });
   return [

@@ -1,6 +1,7 @@
 // Builds the report page from the data in it.
 import { distributionFigures } from "./distributions.js";
 import { element, label, number, table } from "./dom.js";
+import { loadingSections } from "./loading.js";
 import { fitTable, loopTable, retentionFigure } from "./retention.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -58,8 +59,8 @@ function footer() {
     ["Machine", `${m.cpu}, ${m.threads} ${m.threads === 1 ? "thread" : "threads"}`], ["Wall time, peak memory", `${number(m.wall_time_s, 3)} s, ${number(m.peak_memory_bytes / 2 ** 20, 3)} MiB`],
     ["Case hash, state hash", `${m.case_hash}, ${m.state_hash}`], ["Folder", data.folder]];
   return element("footer", {}, element("dl", {}, rows.flatMap(([what, value]) => [element("dt", {}, what), element("dd", {}, value)])),
-    element("p", {}, "Retention curves: M. Th. van Genuchten, Soil Sci. Soc. Am. J. 44, 892–898 (1980), S = S", element("sub", {}, "r"), " + (S", element("sub", {}, "s"), " − S", element("sub", {}, "r"), ")[1 + (αp", element("sub", {}, "c"), ")ⁿ]^(1/n − 1)",
-      ". Charts: plotly.js, MIT licence. This file asks no server for anything."));
+    element("p", {}, runs.every((run) => run.branches.length === 0) ? "" : ["Retention curves: M. Th. van Genuchten, Soil Sci. Soc. Am. J. 44, 892–898 (1980), S = S", element("sub", {}, "r"), " + (S", element("sub", {}, "s"), " − S", element("sub", {}, "r"), ")[1 + (αp", element("sub", {}, "c"), ")ⁿ]^(1/n − 1). "],
+      "Charts: plotly.js, MIT licence. This file asks no server for anything."));
 }
 
 function build() {
@@ -67,19 +68,25 @@ function build() {
   const figures = [];
   const grid = (name, ...content) => element("div", { class: name }, content);
   page.replaceChildren(header());
+  let next = 1;
+  for (const [title, drawn] of loadingSections(runs, next)) {
+    figures.push(...drawn);
+    page.append(section(title, grid("pair", drawn.map((f) => f.node))));
+    ++next;
+  }
   if (runs.some((run) => run.branches.length > 0)) {
-    const loop = retentionFigure(runs);
+    const loop = retentionFigure(runs, next++);
     figures.push(loop);
     page.append(section("Retention", loop.node, grid("tables uneven", fitTable(runs), loopTable(runs))));
   }
   if (runs.some((run) => run.pore.low.length > 0)) {
-    const pair = distributionFigures(runs);
+    const pair = distributionFigures(runs, next);
     figures.push(...pair);
     page.append(section("Pores and throats", grid("pair", pair.map((f) => f.node))));
   }
   const judged = [checksTable(), ledgerTable()].filter(Boolean);
   if (judged.length > 0) page.append(section("Checks and balance", grid("tables", judged)));
-  if (data.facts.length > 0) page.append(section("Packing and pore network", grid("pair", data.facts.map(factTable))));
+  if (data.facts.length > 0) page.append(section(data.facts.length > 1 ? "Packing and pore network" : "Packing", grid("pair", data.facts.map(factTable))));
   if (data.scalars.length > 0) page.append(element("details", {}, element("summary", {}, `All ${data.scalars.length} results by name`), grid("columns", scalarList())));
   page.append(section("Case", grid("triple", data.case.map(factTable)), source("Case file", data.case_text), source("Resolved case, SI units", data.resolved_text)));
   page.append(footer());

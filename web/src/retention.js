@@ -54,7 +54,7 @@ function traces(runs, unit, fits) {
   return [...legend, ...list];
 }
 
-export function retentionFigure(runs) {
+export function retentionFigure(runs, number) {
   let unit = "Pa";
   let fits = true;
   const labels = { Pa: "Capillary pressure <i>p</i><sub>c</sub> (Pa)", star: "Scaled capillary pressure <i>p</i><sub>c</sub>⟨<i>r</i>⟩/γ" };
@@ -74,7 +74,7 @@ export function retentionFigure(runs) {
   const series = () => [["run", "branch", "step", "pc_Pa", "pc_star", "saturation", "trapped_wetting", "trapped_nonwetting"],
     runs.flatMap((run) => run.branches.flatMap((b) => b.pc.map((p, k) =>
       [run.label, b.name, b.step[k], p, run.star_per_Pa === null ? "" : p * run.star_per_Pa, b.saturation[k], b.trapped_wetting[k], b.trapped_nonwetting[k]])))];
-  const caption = element("figcaption", {}, element("b", {}, "Figure 1. "), "Capillary pressure against saturation at each equilibrium (symbols), with the van Genuchten curve of each branch (lines; solid drainage, dashed imbibition).");
+  const caption = element("figcaption", {}, element("b", {}, `Figure ${number}. `), "Capillary pressure against saturation at each equilibrium (symbols), with the van Genuchten curve of each branch (lines; solid drainage, dashed imbibition).");
   const switches = [toggle("fits", "van Genuchten fits", (on) => { fits = on; })];
   if (runs.some((run) => run.star_per_Pa !== null)) switches.unshift(choice("unit", [["Pa", "Pa"], ["star", "scaled"]], (key) => { unit = key; }));
   return figure({ name: "retention", title: "Retention loop", caption, size: "tall", switches, draw, series });

@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -41,6 +43,7 @@ struct GrainOptions {
 
 /// Stage "compact": a random cloud becomes a packing at rest under an isotropic stress.
 struct CompactStage {
+  static constexpr std::string_view kind = "compact";
   using Region = CompactionOptions::Region;
   double stress = 10e3;                   ///< target mean stress [Pa]
   std::optional<double> porosity;         ///< target porosity [-]; none: whatever the friction gives
@@ -50,14 +53,86 @@ struct CompactStage {
   double damping = 0.4;                   ///< Cundall damping [-]
 };
 
+/// Stage "isotropic": a mean stress on all axes, until the grains are at rest.
+struct IsotropicStage {
+  static constexpr std::string_view kind = "isotropic";
+  double stress = 100e3;     ///< [Pa]
+  double unbalanced = 1e-3;  ///< unbalanced force ratio at which the packing is at rest [-]
+  double damping = 0.2;      ///< Cundall damping [-]
+};
+
+/// Stage "oedometer": the lateral faces stand, the box is shortened or stretched along z.
+struct OedometerStage {
+  static constexpr std::string_view kind = "oedometer";
+  std::vector<double> path;           ///< turning points of the axial stress [Pa]
+  std::optional<double> strain;       ///< in place of a path: logarithmic axial strain to reach [-]
+  std::optional<double> strain_rate;  ///< [1/s]; none: at the quasi-static inertial number
+  double damping = 0.2;               ///< [-]
+};
+
+/// Stage "triaxial": shortened along z while the lateral stress, the mean stress or the volume is held.
+struct TriaxialStage {
+  static constexpr std::string_view kind = "triaxial";
+  enum class StressPath { constant_lateral, constant_mean, constant_volume };
+  double stress = 100e3;  ///< lateral or mean stress to hold [Pa]
+  StressPath path = StressPath::constant_lateral;
+  double strain = 0.2;                ///< logarithmic axial strain to reach, negative: extension [-]
+  std::optional<double> strain_rate;  ///< its magnitude [1/s]; none: at the quasi-static inertial number
+  double damping = 0.2;               ///< [-]
+};
+
+/// Stage "shear": the two walls of an axis slide against each other under a normal stress.
+struct ShearStage {
+  static constexpr std::string_view kind = "shear";
+  int axis = 2;                      ///< whose walls slide
+  int direction = 0;                 ///< of the sliding
+  double normal_stress = 100e3;      ///< [Pa]
+  double strain = 0.2;               ///< shear strain to reach: relative displacement / height [-]
+  std::optional<double> shear_rate;  ///< relative speed / height at the start [1/s]; none: quasi-static
+  double damping = 0.2;              ///< [-]
+};
+
+/// Stage "settle": grains move in the box as it stands, until they are at rest.
+struct SettleStage {
+  static constexpr std::string_view kind = "settle";
+  double time = 1.0;         ///< after which the stage ends, at rest or not [s]
+  double unbalanced = 1e-3;  ///< [-]
+  double damping = 0.2;      ///< [-]
+};
+
+/// Stage "strain": along every axis a rate of strain, or a stress that is held.
+struct StrainStage {
+  static constexpr std::string_view kind = "strain";
+  std::array<std::optional<double>, 3> stress;  ///< [Pa]
+  Vec3 strain_rate;                             ///< where no stress is held, shortening positive [1/s]
+  double time = 1.0;                            ///< [s]
+  double damping = 0.2;                         ///< [-]
+};
+
 /// Stage "retention": capillary pressure steps, each to equilibrium, grains fixed.
 struct RetentionStage {
+  static constexpr std::string_view kind = "retention";
   std::vector<double> path;  ///< turning points of the capillary pressure [Pa]
   double step = 100.0;       ///< output step along the path [Pa]
   InvasionOptions invasion;
 };
 
-using Stage = std::variant<CompactStage, RetentionStage>;
+using Stage = std::variant<CompactStage, IsotropicStage, OedometerStage, TriaxialStage, ShearStage, SettleStage, StrainStage,
+                           RetentionStage>;
+
+/// Does this stage load the grains that another one, or a file, has made?
+template <class S>
+inline constexpr bool is_loading = !std::is_same_v<S, CompactStage> && !std::is_same_v<S, RetentionStage>;
+
+inline std::string_view kind_of(const Stage& stage) {
+  return std::visit([](const auto& s) { return std::decay_t<decltype(s)>::kind; }, stage);
+}
+
+/// How grains are moved, in every stage.
+struct MotionCase {
+  Vec3 gravity{};       ///< in all stages but "compact" [m/s2]
+  double safety = 0.5;  ///< share of the critical time step [-]
+};
 
 /// A curve or a finished result to draw beside this run's in the report.
 struct Overlay {
@@ -66,8 +141,10 @@ struct Overlay {
 };
 
 struct OutputOptions {
-  bool fields = true;    ///< write VTP files
-  int fields_every = 1;  ///< in equilibria of a retention stage
+  bool fields = true;      ///< write VTP files
+  int fields_every = 1;    ///< in equilibria of a retention stage
+  int fields_count = 10;   ///< sets of files of a stage that loads the grains
+  int history_rows = 200;  ///< of a stage that loads the grains
 };
 
 /// A bound on a named result, checked at the end of a run.
@@ -84,6 +161,7 @@ struct Case {
   GrainOptions grains;
   std::vector<Material> materials;
   ContactOptions contact;
+  MotionCase motion;
   Fluids fluids;
   NetworkOptions pores;
   std::vector<Stage> stages;
@@ -95,5 +173,8 @@ struct Case {
 /// What the grains are made of, by index into `materials`.
 /// @throws InputError  a name that no material has
 std::vector<MaterialShare> grain_materials(const Case& c);
+
+/// Name of a stage in series and results: its kind, from the second of a kind on with a number, "triaxial-2".
+std::string stage_name(const Case& c, int index);
 
 }  // namespace puadem

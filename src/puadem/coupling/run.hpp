@@ -12,7 +12,7 @@ namespace puadem {
 
 /// Where a run stands, for a progress line.
 struct Progress {
-  std::string_view stage;  ///< "compact", "network", "retention"
+  std::string_view stage;  ///< kind of the stage, or "network"
   double fraction = 0.0;   ///< of the stage, in [0, 1], as well as it is known
   long step = 0;
   double time = 0.0;                ///< [s] simulated
@@ -28,7 +28,9 @@ struct Progress {
 struct Observer {
   std::function<bool(const Progress&)> progress;
   std::function<void(std::string_view)> message;
-  std::function<void(const State&)> packed;  ///< the packing is at rest and, where a stage needs one, its network is made
+  std::function<void(const State&)>
+      packed;  ///< a stage has moved the grains for good; where the next needs one, their network is made
+  std::function<void(const State&, const HistoryRow&)> history;        ///< a row of a stage that loads the grains
   std::function<void(const State&, const RetentionRow&)> equilibrium;  ///< one retention row is reached
   std::function<void(const State&, const InvasionEvent&)> event;       ///< one invasion event has happened
 };

@@ -26,6 +26,7 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   options.region = stage.porosity_region;
   options.unbalanced = stage.unbalanced;
   options.damping = stage.damping;
+  options.safety = c.motion.safety;
 
   bool stopped = false;
   Packing packing = make_packing(source, c.materials, c.contact, options, [&](const CompactionProgress& p) {
@@ -41,6 +42,7 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   });
   state.particles = std::move(packing.particles);
   state.domain = packing.domain;
+  state.grains = std::move(packing.system);
   if (stopped) throw Interrupted{};
 
   const CompactionReport& r = packing.report;
@@ -54,10 +56,6 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   s["largest_overlap"] = r.largest_overlap;
   s["dem_time_step_s"] = r.time_step;
   s["dem_steps"] = static_cast<double>(r.steps);
-
-  const bool network_follows =
-      std::ranges::any_of(c.stages, [](const Stage& next) { return std::holds_alternative<RetentionStage>(next); });
-  if (!network_follows && observer.packed) observer.packed(state);
 }
 
 void describe_packing(const State& state, RunResults& results) {

@@ -11,6 +11,12 @@ namespace puadem {
 /// @throws InputError, NumericalError as `make_packing`
 void run_compact_stage(const Case& c, const CompactStage& stage, State& state, const Observer& observer, RunResults& results);
 
+/// Any stage that loads the grains of the state: its program, a history row from time to time, and what the
+/// rows say (theory 2.18). `index` of the stage in the case.
+/// @throws InputError      no grains, walls that a stage needs and the box does not have
+/// @throws NumericalError  from the grain engine, or where a stage does not come to its end
+void run_loading_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
+
 /// Pore network of the grains as they lie, then the capillary pressures of the path.
 /// @throws InputError, NumericalError as `build_pore_network`, `start_invasion` and `follow_path`
 void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer, RunResults& results);

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "puadem/coupling/history.hpp"
+#include "puadem/dem/grain_system.hpp"
 #include "puadem/dem/particles.hpp"
 #include "puadem/flow/invasion.hpp"
 #include "puadem/flow/retention_curve.hpp"
@@ -17,6 +19,8 @@ struct State {
   double time = 0.0;  ///< [s]
   Domain domain;
   Particles particles;
+  std::optional<GrainSystem> grains;      ///< what the engine holds between stages; `particles` is kept in step with it
+  std::vector<HistoryRow> history;        ///< of the stages that loaded the grains
   PoreNetwork network;                    ///< empty until a stage needs it
   std::optional<InvasionState> invasion;  ///< both fluids in the network, once a retention stage has begun
   std::vector<double> saturation;         ///< per pore, wetting fluid [-]

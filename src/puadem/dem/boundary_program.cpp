@@ -22,19 +22,44 @@ BoxProgram triaxial(double lateral_stress, double strain_rate, double rate_limit
   return program;
 }
 
-void steer_box(GrainSystem& s, const BoxProgram& program, const GrainMeasures& m) {
+namespace {
+
+constexpr double memory = 3;  // relaxation times in which a lasting want becomes part of the steady rate
+
+/// Stress to hold along an axis, if any.
+std::optional<double> target_stress(const BoxProgram& program, const GrainMeasures& m, int axis) {
+  if (program.mean_stress && axis < 2) return 0.5 * (3.0 * *program.mean_stress - m.stress[2].z);
+  return program.stress[to_size(axis)];
+}
+
+}  // namespace
+
+void steer_box(GrainSystem& s, const BoxProgram& program, const GrainMeasures& m, BoxServo& servo) {
   const Vec3 size = s.domain.size();
+  const double limit = program.rate_limit;
   Vec3 rate;
   for (int axis = 0; axis < 3; ++axis) {
     double strain_rate = program.strain_rate[axis];
-    if (const auto& target = program.stress[to_size(axis)]) {
+    if (const auto target = target_stress(program, m, axis)) {
       const double missing = *target - m.stress[to_size(axis)][axis], stiffness = m.affine_modulus[axis];
-      const double wanted = stiffness > 0.0 ? missing / (stiffness * program.relaxation_steps * s.time_step) : program.rate_limit;
-      strain_rate = std::clamp(wanted, -program.rate_limit, program.rate_limit);
+      const double wanted = stiffness > 0.0 ? missing / (stiffness * program.relaxation_steps * s.time_step) : limit;
+      double& steady = servo.steady_rate[axis];
+      strain_rate = std::clamp(steady + wanted, -limit, limit);
+      // A rate at its limit says nothing of what would hold the stress.
+      if (strain_rate == steady + wanted) steady += wanted * program.interval / (memory * program.relaxation_steps);
     }
     rate[axis] = -strain_rate * size[axis];
   }
   set_box_rate(s, rate);
+}
+
+void steer_box(GrainSystem& s, const BoxProgram& program, const GrainMeasures& m) {
+  BoxServo none;
+  steer_box(s, program, m, none);
+}
+
+double inertial_number(double strain_rate, double diameter, double density, double pressure) {
+  return std::abs(strain_rate) * diameter * std::sqrt(density / pressure);
 }
 
 Vec3 axis_stress(const GrainSystem& s, const GrainMeasures& m) {
@@ -47,9 +72,7 @@ Vec3 axis_stress(const GrainSystem& s, const GrainMeasures& m) {
   return stress;
 }
 
-namespace {
-
-ProgramRow row_of(const GrainSystem& s, const GrainMeasures& m, const Vec3& start_size, double time) {
+ProgramRow program_row(const GrainSystem& s, const GrainMeasures& m, const Vec3& start_size, double time) {
   ProgramRow row;
   row.time = time;
   const Vec3 size = s.domain.size();
@@ -65,8 +88,6 @@ ProgramRow row_of(const GrainSystem& s, const GrainMeasures& m, const Vec3& star
   return row;
 }
 
-}  // namespace
-
 std::vector<ProgramRow> run_program(GrainSystem& s, const BoxProgram& program, long steps, long row_interval,
                                     const std::function<bool(const ProgramRow&)>& watch) {
   require(program.interval > 0 && row_interval > 0 && row_interval % program.interval == 0,
@@ -74,16 +95,17 @@ std::vector<ProgramRow> run_program(GrainSystem& s, const BoxProgram& program, l
           program.interval);
   const Vec3 start_size = s.domain.size();
   std::vector<ProgramRow> rows;
+  BoxServo servo;
   double time = 0.0;
   for (long step = 0; step <= steps; step += program.interval) {
     evaluate_forces(s);
     const GrainMeasures m = measure(s);
     if (step % row_interval == 0) {
-      rows.push_back(row_of(s, m, start_size, time));
+      rows.push_back(program_row(s, m, start_size, time));
       if (watch && !watch(rows.back())) break;
     }
     if (step == steps) break;
-    steer_box(s, program, m);
+    steer_box(s, program, m, servo);
     const long now = std::min<long>(program.interval, steps - step);
     advance_grains(s, now);
     time += static_cast<double>(now) * s.time_step;
@@ -100,6 +122,7 @@ void shear_by_walls(GrainSystem& s, int axis, const Vec3& direction, double spee
   require(norm(along) > 0.0, "shear between the walls of axis {}: the direction must lie in them", axis);
   for (Wall& wall : s.walls) {
     if (wall.face < 0 || axis_of(wall.face) != axis) continue;
+    wall.area = s.domain.volume() / s.domain.size()[axis];
     wall.slide = (is_upper(wall.face) ? 0.5 : -0.5) * speed * normalized(along);
     wall.velocity = wall.slide;
     if (is_upper(wall.face)) {

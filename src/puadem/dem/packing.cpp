@@ -9,6 +9,7 @@
 #include "puadem/dem/guards.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/sphere_in_box.hpp"
+#include "puadem/dem/time_step.hpp"
 
 namespace puadem {
 
@@ -76,12 +77,6 @@ void control_box(Compaction& c) {
   steer_box(s, program, m);
 }
 
-void set_time_step(Compaction& c) {
-  const double safe = c.options.safety * critical_time_step(c.system).critical;
-  const double now = c.system.time_step;
-  c.system.time_step = std::min({safe, 1.05 * now, c.longest_step});
-}
-
 /// Runs `check_interval` steps and looks; sooner where the shrinking box has brought the porosity to `enough`.
 void run_interval(Compaction& c, double enough = 0.0) {
   const double solid = (1.0 - c.porosity) * c.system.domain.volume();
@@ -93,7 +88,7 @@ void run_interval(Compaction& c, double enough = 0.0) {
   evaluate_forces(c.system);
   guard_grains(c.system);
   c.measures = measure(c.system);
-  set_time_step(c);
+  renew_time_step(c.system, c.longest_step);
   collect(c.system, c.particles);
   c.porosity = region_porosity(c, c.options.region);
   ensure(c.system.steps < c.options.max_steps,
@@ -111,7 +106,7 @@ bool at_rest(const Compaction& c, double unbalanced, double stress_tolerance) {
 /// The same friction between all grains; the time step depends on it.
 void set_friction(Compaction& c, double friction) {
   for (auto& pair : c.system.pairs.grains) pair.friction = friction;
-  set_time_step(c);
+  renew_time_step(c.system, c.longest_step);
 }
 
 /// Each pair keeps its own friction where that is lower.
@@ -122,7 +117,7 @@ void limit_friction(Compaction& c, double friction) {
 
 void restore_friction(Compaction& c) {
   c.system.pairs.grains = c.own_pairs;
-  set_time_step(c);
+  renew_time_step(c.system, c.longest_step);
 }
 
 /// The cloud is strained until it carries the stress, near rest.
@@ -218,29 +213,6 @@ void stop_motion(GrainSystem& s) {
   s.drift_limit = 0.0;
 }
 
-/// Time step while nothing touches: as if the smallest grain carried the target stress through six contacts of the
-/// stiffest pair of materials.
-double reference_time_step(const GrainSystem& s, const Particles& p, double stress) {
-  const auto smallest = std::min_element(p.radius.begin(), p.radius.end()) - p.radius.begin();
-  const double radius = p.radius[static_cast<std::size_t>(smallest)], mass = p.mass[static_cast<std::size_t>(smallest)];
-  const double force = 4.0 * radius * radius * stress;
-  return std::visit(
-      [&]<ContactLaw Law>(const Law&) {
-        double stiffest = 0.0;
-        for (const PairConstants<double>& pair : s.pairs.grains) {
-          double overlap = radius;  // bisection on a law of unknown shape
-          double low = 0.0;
-          for (int k = 0; k < 60; ++k) {
-            const double middle = 0.5 * (low + overlap);
-            (Law::respond(pair, middle, 0.5 * radius, 0.5).force < force ? low : overlap) = middle;
-          }
-          stiffest = std::max(stiffest, Law::respond(pair, overlap, 0.5 * radius, 0.5).normal);
-        }
-        return std::sqrt(2.0 * mass / (3.0 * stiffest));
-      },
-      s.law);
-}
-
 void finish_report(const Compaction& c, double friction, CompactionReport& report) {
   report.porosity_box = region_porosity(c, CompactionOptions::Region::box);
   try {
@@ -292,7 +264,7 @@ Packing make_packing(const PackingSource& source, std::span<const Material> mate
                .particles = particles,
                .largest_radius = largest,
                .natural_rate = std::sqrt(options.stress / density) / diameter,
-               .longest_step = options.safety * reference_time_step(system, particles, options.stress),
+               .longest_step = options.safety * critical_time_step_at(system, options.stress),
                .own_pairs = system.pairs.grains,
                .measures = {}};
   c.porosity = packing.report.porosity_box;

@@ -131,7 +131,8 @@ void check_materials(const TomlValue& tree, Case& c, Problems& problems) {
   if (has(tree, "grains", "materials")) return check_mixture(tree, c, names, problems);
   if (std::ranges::find(names, c.grains.material) != names.end()) return;
   const bool is_named = has(tree, "grains", "material");
-  if (c.materials.empty() && !is_named && !has_stage<CompactStage>(c)) {
+  if (c.materials.empty() && !is_named &&
+      std::ranges::all_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); })) {
     c.materials.emplace_back().name = c.grains.material;
     return;
   }
@@ -153,6 +154,11 @@ struct StageContext {
     return value != nullptr ? value->place : tree.place;
   }
 };
+
+void check_strain(const std::optional<double>& strain, const StageContext& at, Problems& problems) {
+  if (strain && *strain == 0.0)
+    problems.error(at.value_place("strain"), fmt::format("stage.{}.strain = 0 leaves nothing to do", at.index));
+}
 
 void check_stage(const CompactStage& stage, const StageContext& at, Problems& problems) {
   if (at.c.grains.file)
@@ -205,11 +211,73 @@ void check_stage(const RetentionStage& stage, const StageContext& at, Problems& 
                                                        at.index, show(stage.step, "Pa"), span / stage.step));
 }
 
+/// Stages that load grains and walls: what they need of the box, and what cannot be both.
+void check_stage(const IsotropicStage&, const StageContext&, Problems&) {}
+
+void check_stage(const OedometerStage& stage, const StageContext& at, Problems& problems) {
+  if (stage.path.empty() == !stage.strain)
+    problems.error(at.value_place(stage.strain ? "strain" : "kind"),
+                   fmt::format("stage.{0} needs either stage.{0}.path, axial stresses to go to, or stage.{0}.strain", at.index));
+  for (std::size_t i = 1; i < stage.path.size(); ++i)
+    if (stage.path[i] == stage.path[i - 1])
+      problems.error(at.value_place("path"), fmt::format("stage.{}.path: a stress must differ from the one before it", at.index));
+  check_strain(stage.strain, at, problems);
+}
+
+void check_stage(const TriaxialStage& stage, const StageContext& at, Problems& problems) {
+  check_strain(stage.strain, at, problems);
+}
+
+void check_stage(const ShearStage& stage, const StageContext& at, Problems& problems) {
+  const auto& periodic = at.c.domain.periodic;
+  const char axis = "xyz"[stage.axis], direction = "xyz"[stage.direction];
+  if (stage.axis == stage.direction)
+    return problems.error(
+        at.value_place("direction"),
+        fmt::format("stage.{0}.direction = \"{1}\" must lie in the walls: not along stage.{0}.axis = \"{1}\"", at.index, axis));
+  if (periodic[to_size(stage.axis)])
+    problems.error(at.value_place("axis"),
+                   fmt::format("stage.{}: the axis {} is periodic and has no walls to slide; take it out of domain.periodic",
+                               at.index, axis));
+  if (!periodic[to_size(stage.direction)])
+    problems.error(
+        at.value_place("direction"),
+        fmt::format(
+            "stage.{}: grains sheared along {} would pile up at its walls; make it periodic: domain.periodic = [\"{}\", ...]",
+            at.index, direction, direction));
+  if (!(at.c.contact.wall_friction > 0.0))
+    problems.error(at.value_place("kind"),
+                   fmt::format("stage.{}: walls without friction cannot shear grains; set contact.wall_friction", at.index));
+}
+
+void check_stage(const SettleStage&, const StageContext& at, Problems& problems) {
+  const Vec3& g = at.c.motion.gravity;
+  if (squared_norm(g) == 0.0)
+    return problems.error(at.value_place("kind"), fmt::format("stage.{}: nothing makes the grains settle; set motion.gravity = "
+                                                              "[0, 0, \"-9.81 m/s2\"], or use a stage \"isotropic\"",
+                                                              at.index));
+  for (int axis = 0; axis < 3; ++axis)
+    if (g[axis] != 0.0 && at.c.domain.periodic[to_size(axis)])
+      problems.error(at.value_place("kind"),
+                     fmt::format("stage.{}: gravity acts along the periodic direction {}: grains would fall for ever", at.index,
+                                 "xyz"[axis]));
+}
+
+void check_stage(const StrainStage& stage, const StageContext& at, Problems& problems) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (stage.stress[to_size(axis)] && stage.strain_rate[axis] != 0.0)
+      problems.error(at.value_place(fmt::format("strain_rate_{}", "xyz"[axis])),
+                     fmt::format("stage.{0}.stress_{1} and stage.{0}.strain_rate_{1} exclude each other; remove one", at.index,
+                                 "xyz"[axis]));
+  if (stage.strain_rate == Vec3{} && !stage.stress[0] && !stage.stress[1] && !stage.stress[2])
+    problems.error(at.value_place("kind"),
+                   fmt::format("stage.{}: neither a rate nor a stress is given for any axis, nothing would happen", at.index));
+}
+
 void check_stages(const TomlValue& tree, const Case& c, Problems& problems) {
   const TomlValue* stages = tree.find("stage");
   if (stages == nullptr || stages->kind != TomlValue::Kind::array) return;
-  if (stages->children.empty())
-    problems.error(stages->key_place, "no stage; add [[stage]] with kind = \"compact\" or \"retention\"");
+  if (stages->children.empty()) problems.error(stages->key_place, "no stage; add [[stage]] with a kind: puadem keys stage");
   if (stages->children.size() != c.stages.size()) return;  // a stage with an error of its own
   for (int i = 0; i < size_of(c.stages); ++i)
     std::visit(

@@ -45,6 +45,21 @@ const Section<DomainOptions>& domain_section() {
   return section;
 }
 
+// [motion]
+
+const Section<MotionCase>& motion_section() {
+  static const Section<MotionCase> section = [] {
+    KeyInfo gravity = quantity("gravity", "m/s2", {}, between(-100, 100), R"(["0 m/s2", "0 m/s2", "-9.81 m/s2"])",
+                               "acceleration of all grains, in every stage but \"compact\"");
+    gravity.type = "a list of three accelerations";
+    return Section<MotionCase>{
+        {bind<MotionCase>(gravity, &MotionCase::gravity),
+         bind<MotionCase>(number("safety", inside(0, 1), "time step as a share of the critical one", between(0.05, 0.6)),
+                          &MotionCase::safety)}};
+  }();
+  return section;
+}
+
 // [fluids], [pores]
 
 Section<Fluid> fluid_section(const Fluid& defaults) {
@@ -102,6 +117,14 @@ const Section<OutputOptions>& output_section() {
       bind<OutputOptions>(flag("fields", "write grains, pores and throats as VTP files for ParaView"), &OutputOptions::fields),
       bind<OutputOptions>(whole("fields_every", 1, 1e9, "one set of files each so many equilibria of a retention stage", "1"),
                           &OutputOptions::fields_every),
+      bind<OutputOptions>(
+          whole("fields_count", 0, 1e6,
+                "sets of files of grains and contacts of a stage that loads the grains, evenly spread over it", "10"),
+          &OutputOptions::fields_count),
+      bind<OutputOptions>(
+          whole("history_rows", 1, 1e7,
+                "rows of series/history.csv of such a stage, evenly spread over its strain, stress or time", "200"),
+          &OutputOptions::history_rows),
   }};
   return section;
 }
@@ -206,6 +229,7 @@ const Section<Case>& case_section() {
           grains_section, &Case::grains),
       materials_field(),
       bind_table<Case>(plain("contact", "a table", "contacts of grains"), contact_section, &Case::contact),
+      bind_table<Case>(plain("motion", "a table", "how grains are moved"), motion_section, &Case::motion),
       bind_table<Case>(plain("fluids", "a table", "the two fluids"), fluids_section, &Case::fluids),
       bind_table<Case>(plain("pores", "a table", "the pore network"), pores_section, &Case::pores),
       stages_field(),

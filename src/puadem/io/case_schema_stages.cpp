@@ -1,3 +1,5 @@
+#include "puadem/io/case_schema_stages.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -6,50 +8,10 @@
 #include "puadem/base/parallel.hpp"
 #include "puadem/geometry/domain.hpp"
 #include "puadem/io/case_schema.hpp"
-#include "puadem/io/key_builders.hpp"
 
 namespace puadem {
 
 namespace {
-
-/// Key that is only there to tell tables apart; it stores nothing.
-template <class T>
-Field<T> label(KeyInfo info, std::string word) {
-  return {std::move(info), [](const TomlValue&, Problems&, T&) {}, [word](const T&) { return toml_text(word); }};
-}
-
-// [[stage]]
-
-const Section<CompactStage>& compact_section() {
-  static const Section<CompactStage> section{{
-      label<CompactStage>(
-          needed(plain("kind", "a choice", "a random cloud becomes a packing at rest under an isotropic stress", R"("compact")")),
-          "compact"),
-      bind<CompactStage>(
-          needed(quantity("stress", "Pa", above(0), between(10, 1e8), R"("10 kPa")", "target mean stress, compression positive")),
-          &CompactStage::stress),
-      bind<CompactStage>(noted(number("porosity", inside(0, 1), "target porosity, reached by lowering friction while compacting",
-                                      between(0.2, 0.7)),
-                               "whatever the friction gives"),
-                         &CompactStage::porosity),
-      bind<CompactStage>(
-          noted(quantity("friction_angle", "rad", Interval{0, 90 * degree, false, true}, between(0, 60 * degree), R"("0 deg")",
-                         "between all grains while compacting, in place of a porosity: 0 deg gives a dense packing, a large "
-                         "angle a loose one; then that of their materials is set again and the packing settles"),
-                "that of the materials"),
-          &CompactStage::friction_angle),
-      bind_choice<CompactStage>(
-          choice("porosity_region", {"core", "box"},
-                 "where the porosity is measured: farther than one largest diameter from every wall, or the whole box"),
-          &CompactStage::porosity_region),
-      bind<CompactStage>(number("unbalanced", inside(0, 1),
-                                "ratio of unbalanced to contact force at which the packing is at rest", between(1e-6, 0.1)),
-                         &CompactStage::unbalanced),
-      bind<CompactStage>(number("damping", Interval{0, 1, false, true}, "Cundall damping", between(0, 0.9)),
-                         &CompactStage::damping),
-  }};
-  return section;
-}
 
 /// A face of the box, stored as its number.
 template <class Member>
@@ -91,14 +53,46 @@ Field<RetentionStage> grains_field() {
           [](const RetentionStage&) { return toml_text("fixed"); }};
 }
 
-const Section<RetentionStage>& retention_section() {
+}  // namespace
+
+template <>
+const Section<CompactStage>& stage_section() {
+  static const Section<CompactStage> section{{
+      kind_field<CompactStage>("a random cloud becomes a packing at rest under an isotropic stress"),
+      bind<CompactStage>(
+          needed(quantity("stress", "Pa", above(0), between(10, 1e8), R"("10 kPa")", "target mean stress, compression positive")),
+          &CompactStage::stress),
+      bind<CompactStage>(noted(number("porosity", inside(0, 1), "target porosity, reached by lowering friction while compacting",
+                                      between(0.2, 0.7)),
+                               "whatever the friction gives"),
+                         &CompactStage::porosity),
+      bind<CompactStage>(
+          noted(quantity("friction_angle", "rad", Interval{0, 90 * degree, false, true}, between(0, 60 * degree), R"("0 deg")",
+                         "between all grains while compacting, in place of a porosity: 0 deg gives a dense packing, a large "
+                         "angle a loose one; then that of their materials is set again and the packing settles"),
+                "that of the materials"),
+          &CompactStage::friction_angle),
+      bind_choice<CompactStage>(
+          choice("porosity_region", {"core", "box"},
+                 "where the porosity is measured: farther than one largest diameter from every wall, or the whole box"),
+          &CompactStage::porosity_region),
+      bind<CompactStage>(number("unbalanced", inside(0, 1),
+                                "ratio of unbalanced to contact force at which the packing is at rest", between(1e-6, 0.1)),
+                         &CompactStage::unbalanced),
+      bind<CompactStage>(number("damping", Interval{0, 1, false, true}, "Cundall damping", between(0, 0.9)),
+                         &CompactStage::damping),
+  }};
+  return section;
+}
+
+template <>
+const Section<RetentionStage>& stage_section() {
   static const Section<RetentionStage> section = [] {
     KeyInfo path = needed(quantity("path", "Pa", at_least(0), between(1e-2, 1e9), R"(["400 Pa", "1300 Pa", "0 Pa"])",
                                    "turning points of the capillary pressure: rising is drainage, falling is imbibition"));
     path.type = "a list of pressures";
     return Section<RetentionStage>{{
-        label<RetentionStage>(
-            needed(plain("kind", "a choice", "capillary pressure steps, each to equilibrium", R"("retention")")), "retention"),
+        kind_field<RetentionStage>("capillary pressure steps, each to equilibrium"),
         grains_field(),
         face_field("air", "face of the non-wetting reservoir", &InvasionOptions::nonwetting_face),
         face_field("water", "face of the wetting reservoir", &InvasionOptions::wetting_face),
@@ -131,13 +125,29 @@ const Section<RetentionStage>& retention_section() {
   return section;
 }
 
-std::vector<std::string> stage_kinds() { return {"compact", "retention"}; }
+namespace {
 
-template <class S>
-void read_stage(const TomlValue& value, const Section<S>& section, Problems& problems, Case& c) {
-  S stage;
-  read_table(value, section, problems, stage);
-  c.stages.emplace_back(std::move(stage));
+constexpr std::size_t stage_count = std::variant_size_v<Stage>;
+
+/// Calls `visit` with an empty stage of every kind, in the order of the variant.
+template <class Visit>
+void for_each_kind(const Visit& visit) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (visit(std::variant_alternative_t<I, Stage>{}), ...); }
+  (std::make_index_sequence<stage_count>{});
+}
+
+std::vector<std::string> stage_kinds() {
+  std::vector<std::string> kinds;
+  for_each_kind([&](const auto& stage) { kinds.emplace_back(stage.kind); });
+  return kinds;
+}
+
+void read_stage(const TomlValue& value, std::string_view kind, Problems& problems, Case& c) {
+  for_each_kind([&](auto stage) {
+    if (stage.kind != kind) return;
+    read_table(value, stage_section<decltype(stage)>(), problems, stage);
+    c.stages.emplace_back(std::move(stage));
+  });
 }
 
 }  // namespace
@@ -145,7 +155,7 @@ void read_stage(const TomlValue& value, const Section<S>& section, Problems& pro
 Field<Case> stages_field() {
   Field<Case> field;
   field.info = needed(plain("stage", "a list of tables", "what is done, in this order", ""));
-  field.info.help += "; write [[stage]] with kind = \"compact\" or \"retention\"";
+  field.info.help += "; write [[stage]] with kind = " + joined(stage_kinds());
   field.read = [](const TomlValue& value, Problems& problems, Case& c) {
     if (value.kind != TomlValue::Kind::array)
       return problems.error(value.key_place, "stage must be a list of tables; write [[stage]] with two brackets");
@@ -162,28 +172,21 @@ Field<Case> stages_field() {
       problems.key += ".kind";
       const auto index = read_choice(*kind, kinds, problems);
       problems.key = fmt::format("stage.{}", i);
-      if (index && *index == 0) read_stage(stage, compact_section(), problems, c);
-      if (index && *index == 1) read_stage(stage, retention_section(), problems, c);
+      if (index) read_stage(stage, kinds.choices[to_size(*index)], problems, c);
     }
   };
   field.write_tables = [](const std::string& path, const Case& c) {
     std::string text;
     for (const Stage& stage : c.stages) {
       text += "\n[[" + path + "]]\n";
-      text += std::visit(
-          [](const auto& s) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(s)>, CompactStage>)
-              return write_table("", compact_section(), s);
-            else
-              return write_table("", retention_section(), s);
-          },
-          stage);
+      text += std::visit([](const auto& s) { return write_table("", stage_section<std::decay_t<decltype(s)>>(), s); }, stage);
     }
     return text;
   };
   field.describe = [](const std::string& path, std::vector<KeyDoc>& out) {
-    describe_table(path + "[compact]", compact_section(), out);
-    describe_table(path + "[retention]", retention_section(), out);
+    for_each_kind([&](const auto& stage) {
+      describe_table(fmt::format("{}[{}]", path, stage.kind), stage_section<std::decay_t<decltype(stage)>>(), out);
+    });
   };
   return field;
 }

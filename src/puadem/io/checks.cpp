@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "puadem/coupling/loading_program.hpp"
 #include "puadem/io/manifest.hpp"
 
 namespace puadem {
@@ -12,6 +13,8 @@ namespace {
 constexpr double volume_tolerance = 1e-12;  // of the box or the void: rounding of a sum, no more
 constexpr double stress_tolerance = 0.01;   // of the target stress
 constexpr double porosity_tolerance = 0.002;
+constexpr double energy_tolerance = 1e-3;   // of the work put in
+constexpr double overlap_tolerance = 0.05;  // of the smaller radius: contacts far apart do not feel each other
 constexpr double grading_tolerance = 0.01;  // largest error of the share of a class
 
 /// Neumaier sum: the terms are many and the tolerance is close to rounding.
@@ -67,9 +70,29 @@ void add_packing(std::vector<Check>& checks, const Case& c, const RunResults& re
   near("unbalanced_force", 0.0, stage->unbalanced, fmt::format("at most {:g}", stage->unbalanced));
   near("stress_mean_Pa", stage->stress, stress_tolerance * stage->stress, fmt::format("{:g} ± 1 %", stage->stress));
   near("grading_error", 0.0, grading_tolerance, fmt::format("at most {:g}", grading_tolerance));
-  if (stage->porosity)
+  // What loads the grains afterwards changes the porosity; the compaction itself has reached its own.
+  const bool is_loaded = std::ranges::any_of(c.stages, [](const Stage& s) {
+    return !std::holds_alternative<CompactStage>(s) && !std::holds_alternative<RetentionStage>(s);
+  });
+  if (stage->porosity && !is_loaded)
     near(stage->porosity_region == CompactStage::Region::core ? "porosity_core" : "porosity_box", *stage->porosity,
          porosity_tolerance, fmt::format("{:g} ± {:g}", *stage->porosity, porosity_tolerance));
+}
+
+/// Every stage that loaded the grains: stress, balance of energy, overlaps, and whether it was quasi-static.
+void add_loading(std::vector<Check>& checks, const Case& c, const RunResults& results) {
+  for (int stage = 0; stage < size_of(c.stages); ++stage) {
+    const std::string name = stage_name(c, stage);
+    const auto at_most = [&](const char* what, double bound) {
+      const auto found = results.scalars.find(name + what);
+      if (found != results.scalars.end())
+        checks.push_back({name + what, fmt::format("at most {:g}", bound), found->second, found->second <= bound});
+    };
+    at_most("_stress_error", stress_tolerance);
+    at_most("_energy_residual", energy_tolerance);
+    at_most("_largest_overlap", overlap_tolerance);
+    at_most("_inertial_number", quasi_static_inertial_number);
+  }
 }
 
 }  // namespace
@@ -98,6 +121,7 @@ std::vector<Check> run_checks(const Case& c, const State& state, const RunResult
     within("non-wetting fluid: in − out = change (of the void)", results->ledger.nonwetting_error(), volume_tolerance);
   }
   add_packing(checks, c, *results);
+  add_loading(checks, c, *results);
   add_expected(checks, c, *results);
   return checks;
 }

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 double wall_seconds(const ResultsFolder& folder) { return std::chrono::duration<double>(Clock::now() - folder.started).count(); }
 
 /// The series `file`, opened with its header when first needed.
-AppendFile& series(ResultsFolder& folder, AppendFile& file, const char* name, std::string_view header) {
+AppendFile& series(const ResultsFolder& folder, AppendFile& file, const char* name, std::string_view header) {
   if (!file.is_open()) {
     file = AppendFile(folder.path / "series" / name);
     file.append(header);
@@ -64,6 +64,12 @@ void write_frame(const ResultsFolder& folder, std::vector<VtkFrame>& frames, con
   write_file(folder.path / "fields" / fmt::format("{}.pvd", name), pvd_text(frames));
 }
 
+/// Grains, and contacts where the engine has them.
+void write_grains(ResultsFolder& folder, const State& state) {
+  write_frame(folder, folder.grain_frames, "grains", state.time, grain_fields(state));
+  if (state.grains) write_frame(folder, folder.contact_frames, "contacts", state.time, contact_fields(state));
+}
+
 void write_distributions(ResultsFolder& folder, const State& state) {
   if (folder.has_distributions || state.network.pores() == 0) return;
   write_file(folder.path / "series" / "distributions.csv", distributions_csv(radius_distributions(state)));
@@ -74,7 +80,7 @@ void record_packing(ResultsFolder& folder, const Case& c, const State& state) {
   write_distributions(folder, state);
   write_packing(folder.path / "packing.csv", state.particles.position, state.particles.radius, state.domain);
   if (c.output.fields) {
-    write_frame(folder, folder.grain_frames, "grains", 0.0, grain_fields(state));
+    write_grains(folder, state);
     const bool is_last = std::ranges::none_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); });
     if (is_last && state.network.pores() > 0) {
       write_frame(folder, folder.pore_frames, "pores", 0.0, pore_fields(state));
@@ -107,6 +113,20 @@ void record_equilibrium(ResultsFolder& folder, const Case& c, const State& state
   folder.has_result = true;
 }
 
+void record_history(ResultsFolder& folder, const Case& c, const State& state, const HistoryRow& row) {
+  AppendFile& history = series(folder, folder.history, "history.csv", history_header(state.domain));
+  history.append(history_line(row, state.domain));
+  history.flush();
+  folder.has_result = true;
+  if (!c.output.fields) return;
+  const bool begins = folder.history_stage != row.stage;
+  if (begins) folder.fields_written = 0;
+  folder.history_stage = row.stage;
+  if (row.fraction * c.output.fields_count < folder.fields_written) return;
+  write_grains(folder, state);
+  folder.fields_written = static_cast<int>(row.fraction * c.output.fields_count) + 1;
+}
+
 void record_event(ResultsFolder& folder, const InvasionEvent& e) {
   series(folder, folder.events, "events.csv", events_header).append(event_line(folder.events_seen++, e));
 }
@@ -125,6 +145,7 @@ Observer recording_observer(ResultsFolder& folder, const Case& c) {
   observer.equilibrium = [&folder, &c](const State& state, const RetentionRow& row) {
     record_equilibrium(folder, c, state, row);
   };
+  observer.history = [&folder, &c](const State& state, const HistoryRow& row) { record_history(folder, c, state, row); };
   observer.event = [&folder](const State&, const InvasionEvent& e) { record_event(folder, e); };
   return observer;
 }

@@ -64,7 +64,7 @@ std::string escape_script(std::string text) { return replace_all(std::move(text)
 json report_json(const ResultsFolder& folder, const Case& c, const State& state, const RunResults* results, int exit_code,
                  const std::string& error_message) {
   std::vector<std::string> warnings = folder.warnings;
-  json runs = json::array({curves_json("this run", state.retention, radius_distributions(state))});
+  json runs = json::array({curves_json("this run", state.retention, radius_distributions(state), state.history)});
   for (json& overlay : overlays_json(c, warnings)) runs.push_back(std::move(overlay));
   json manifest = make_manifest(folder, c, state, results, exit_code, error_message);
   manifest["warnings"] = warnings;

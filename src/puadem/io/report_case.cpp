@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -73,16 +74,80 @@ json stage_rows(const CompactStage& s) {
   if (s.porosity)
     rows.push_back({"Porosity", fmt::format("{:.4g} in the {}", *s.porosity,
                                             s.porosity_region == CompactStage::Region::core ? "core" : "whole box")});
+  if (s.friction_angle) rows.push_back({"Friction angle while compacting", in_print(*s.friction_angle, "rad")});
   rows.push_back({"At rest below an unbalanced force of", fmt::format("{:.4g}", s.unbalanced)});
   rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
   return rows;
 }
 
+json stage_rows(const IsotropicStage& s) {
+  return json::array({{"Stress", in_print(s.stress, "Pa")},
+                      {"At rest below an unbalanced force of", fmt::format("{:.4g}", s.unbalanced)},
+                      {"Damping", fmt::format("{:.4g}", s.damping)}});
+}
+
+std::string rate_text(const std::optional<double>& rate) {
+  return rate ? fmt::format("{:.4g} 1/s", *rate) : "quasi-static, inertial number 5 × 10⁻⁴";
+}
+
+std::string path_of(const std::vector<double>& path) {
+  std::string text;
+  for (const double p : path) text += fmt::format("{}{}", text.empty() ? "" : " → ", in_print(p, "Pa"));
+  return text;
+}
+
+json stage_rows(const OedometerStage& s) {
+  json rows = json::array();
+  if (s.strain)
+    rows.push_back({"Axial strain to reach", fmt::format("{:.4g}", *s.strain)});
+  else
+    rows.push_back({"Axial stresses", path_of(s.path)});
+  rows.push_back({"Rate of strain", rate_text(s.strain_rate)});
+  rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
+  return rows;
+}
+
+json stage_rows(const TriaxialStage& s) {
+  using Path = TriaxialStage::StressPath;
+  json rows = json::array();
+  if (s.path == Path::constant_volume)
+    rows.push_back({"Held", "volume"});
+  else
+    rows.push_back({s.path == Path::constant_mean ? "Mean stress held" : "Lateral stress held", in_print(s.stress, "Pa")});
+  rows.push_back({"Axial strain to reach", fmt::format("{:.4g}", s.strain)});
+  rows.push_back({"Rate of strain", rate_text(s.strain_rate)});
+  rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
+  return rows;
+}
+
+json stage_rows(const ShearStage& s) {
+  return json::array({{"Walls that slide", fmt::format("those of {}, along {}", "xyz"[s.axis], "xyz"[s.direction])},
+                      {"Normal stress held", in_print(s.normal_stress, "Pa")},
+                      {"Shear strain to reach", fmt::format("{:.4g}", s.strain)},
+                      {"Rate", rate_text(s.shear_rate)},
+                      {"Damping", fmt::format("{:.4g}", s.damping)}});
+}
+
+json stage_rows(const SettleStage& s) {
+  return json::array({{"Time at most", in_print(s.time, "s")},
+                      {"At rest below an unbalanced force of", fmt::format("{:.4g}", s.unbalanced)},
+                      {"Damping", fmt::format("{:.4g}", s.damping)}});
+}
+
+json stage_rows(const StrainStage& s) {
+  json rows = json::array();
+  for (int axis = 0; axis < 3; ++axis)
+    rows.push_back({fmt::format("Along {}", "xyz"[axis]), s.stress[to_size(axis)]
+                                                              ? in_print(*s.stress[to_size(axis)], "Pa") + " held"
+                                                              : fmt::format("{:.4g} 1/s", s.strain_rate[axis])});
+  rows.push_back({"Time", in_print(s.time, "s")});
+  rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
+  return rows;
+}
+
 json stage_rows(const RetentionStage& s) {
-  std::string path;
-  for (const double p : s.path) path += fmt::format("{}{}", path.empty() ? "" : " → ", in_print(p, "Pa"));
   const InvasionOptions& o = s.invasion;
-  json rows = json::array({{"Path of p_c", path},
+  json rows = json::array({{"Path of p_c", path_of(s.path)},
                            {"Output step", in_print(s.step, "Pa")},
                            {"Non-wetting fluid enters at", std::string(face_names[to_size(o.nonwetting_face)])},
                            {"Wetting fluid leaves at", std::string(face_names[to_size(o.wetting_face)])},
@@ -103,11 +168,11 @@ json stage_rows(const RetentionStage& s) {
 json case_json(const Case& c) {
   json tables = json::array();
   tables.push_back({{"title", "Grains"}, {"rows", grain_rows(c)}});
-  tables.push_back({{"title", "Fluids and pores"}, {"rows", fluid_rows(c)}});
+  const bool has_fluids = std::ranges::any_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); });
+  if (has_fluids) tables.push_back({{"title", "Fluids and pores"}, {"rows", fluid_rows(c)}});
   int number = 0;
   for (const Stage& stage : c.stages) {
-    const char* kind = std::holds_alternative<CompactStage>(stage) ? "compact" : "retention";
-    tables.push_back({{"title", fmt::format("Stage {}: {}", ++number, kind)},
+    tables.push_back({{"title", fmt::format("Stage {}: {}", ++number, kind_of(stage))},
                       {"rows", std::visit([](const auto& s) { return stage_rows(s); }, stage)}});
   }
   return tables;

@@ -99,16 +99,20 @@ json loops_json(const std::vector<Rows>& branches) {
   return loops;
 }
 
+bool is_there(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::exists(file, error);
+}
+
 /// A run folder keeps its series in series/; a folder of reference data has them at hand.
 std::filesystem::path series_file(const std::filesystem::path& folder, const char* name) {
   const std::filesystem::path inside = folder / "series" / name;
-  std::error_code error;
-  return std::filesystem::exists(inside, error) ? inside : folder / name;
+  return is_there(inside) ? inside : folder / name;
 }
 
 }  // namespace
 
-json curves_json(const std::string& label, Rows rows, const RadiusDistributions& radii) {
+json curves_json(const std::string& label, Rows rows, const RadiusDistributions& radii, std::span<const HistoryRow> history) {
   const std::vector<Rows> branches = branches_of(rows);
   json drawn = json::array();
   for (const Rows branch : branches) drawn.push_back(branch_json(branch));
@@ -118,18 +122,21 @@ json curves_json(const std::string& label, Rows rows, const RadiusDistributions&
           {"loops", loops_json(branches)},
           {"star_per_Pa", scale ? json(*scale) : json(nullptr)},
           {"pore", bins_json(radii.pore)},
-          {"throat", bins_json(radii.throat)}};
+          {"throat", bins_json(radii.throat)},
+          {"loading", loading_json(history)}};
 }
 
 json overlays_json(const Case& c, std::vector<std::string>& warnings) {
   json overlays = json::array();
   for (const Overlay& overlay : c.overlays) {
     try {
-      const std::filesystem::path distributions = series_file(overlay.folder, "distributions.csv");
-      std::error_code error;
-      const bool has_radii = std::filesystem::exists(distributions, error);
-      const std::vector<RetentionRow> rows = read_retention(series_file(overlay.folder, "retention.csv"));
-      overlays.push_back(curves_json(overlay.label, rows, has_radii ? read_distributions(distributions) : RadiusDistributions{}));
+      const auto distributions = series_file(overlay.folder, "distributions.csv"),
+                 retention = series_file(overlay.folder, "retention.csv"), history = series_file(overlay.folder, "history.csv");
+      // What nobody has is asked for by the name of the retention curve.
+      const auto rows = is_there(retention) || !is_there(history) ? read_retention(retention) : std::vector<RetentionRow>{};
+      overlays.push_back(curves_json(overlay.label, rows,
+                                     is_there(distributions) ? read_distributions(distributions) : RadiusDistributions{},
+                                     is_there(history) ? read_history(history) : std::vector<HistoryRow>{}));
     } catch (const InputError& failure) {
       warnings.push_back(fmt::format("overlay '{}' is not drawn: {}", overlay.label, failure.what()));
     }

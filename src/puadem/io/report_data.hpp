@@ -16,8 +16,12 @@ namespace puadem {
 std::string in_print(double value, std::string_view unit, int digits = 4);
 
 /// One run's curves as the page draws them: branches with their van Genuchten fits, loops with their
-/// areas, radius distributions.
-nlohmann::json curves_json(const std::string& label, std::span<const RetentionRow> rows, const RadiusDistributions& radii);
+/// areas, radius distributions, stages that loaded the grains.
+nlohmann::json curves_json(const std::string& label, std::span<const RetentionRow> rows, const RadiusDistributions& radii,
+                           std::span<const HistoryRow> history);
+
+/// The stages of a history, each with its columns.
+nlohmann::json loading_json(std::span<const HistoryRow> rows);
 
 /// The curves of every overlay of the case; what cannot be read is told in `warnings`.
 nlohmann::json overlays_json(const Case& c, std::vector<std::string>& warnings);

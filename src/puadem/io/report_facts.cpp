@@ -101,6 +101,30 @@ json highlight(const std::string& label, const std::string& value, const std::st
   return {{"label", label}, {"value", value}, {"note", note}};
 }
 
+/// Peak and end of the last stage that sheared the grains.
+std::vector<json> loading_highlights(const std::vector<HistoryRow>& history) {
+  if (history.empty()) return {};
+  const std::string& stage = history.back().stage;
+  std::vector<HistoryRow> rows;
+  std::ranges::copy_if(history, std::back_inserter(rows), [&](const auto& r) { return r.stage == stage; });
+  const HistoryRow& last = rows.back();
+  const std::string volume = fmt::format("{:.2f} % volumetric", 100.0 * last.volumetric);
+  if (stage.starts_with("triaxial")) {
+    const auto peak = std::ranges::max_element(rows, {}, [](const auto& r) { return std::abs(r.stress_ratio()); });
+    return {highlight("Peak q/p", fmt::format("{:.3f}", peak->stress_ratio()),
+                      fmt::format("q = {} at {:.1f} % axial strain", in_print(peak->deviator, "Pa", 3), 100.0 * peak->strain.z)),
+            highlight("q/p at the end", fmt::format("{:.3f}", last.stress_ratio()),
+                      fmt::format("at {:.1f} % axial strain, {}", 100.0 * last.strain.z, volume))};
+  }
+  if (stage.starts_with("oedometer"))
+    return {highlight("Axial stress at the end", in_print(last.stress.z, "Pa", 3),
+                      fmt::format("at {:.2f} % axial strain", 100.0 * last.strain.z))};
+  if (stage.starts_with("shear"))
+    return {highlight("Shear stress at the end", in_print(last.shear_stress, "Pa", 3),
+                      fmt::format("at a shear strain of {:.3g}, {}", last.shear_strain, volume))};
+  return {};
+}
+
 }  // namespace
 
 json facts_json(const State& state) {
@@ -137,6 +161,7 @@ json highlights_json(const State& state, const RunResults* results) {
                             fmt::format("{:.4f} in the whole box", box_porosity)));
   else if (p.size() > 0)
     top.push_back(highlight("Porosity", fmt::format("{:.4f}", box_porosity), "whole box"));
+  for (const auto& stage_highlight : loading_highlights(state.history)) top.push_back(stage_highlight);
   if (state.network.pores() > 0)
     top.push_back(highlight("Pore units", count(state.network.pores()), count(state.network.throats()) + " throats"));
   std::vector<RetentionRow> drainage;

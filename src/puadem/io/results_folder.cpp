@@ -93,7 +93,8 @@ void remove_all_of(const ResultsFolder& folder) {
 
 void write_summary(ResultsFolder& folder, const Case& c, const State& state, const RunResults* results, int exit_code,
                    const std::string& error_message) {
-  for (AppendFile* file : {&folder.log, &folder.progress, &folder.retention, &folder.events, &folder.compaction}) file->close();
+  for (AppendFile* file : {&folder.log, &folder.progress, &folder.retention, &folder.events, &folder.compaction, &folder.history})
+    file->close();
   using Json = nlohmann::json;
   const Json manifest = make_manifest(folder, c, state, results, exit_code, error_message);
   write_file(folder.path / "manifest.json", manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -34,13 +34,15 @@ std::string retention_table(const State& state) {
 }
 
 /// The results that most readers want; the rest is in manifest.json.
-bool is_shown(std::string_view name) {
+bool is_shown(const Case& c, std::string_view name) {
   static constexpr std::array<std::string_view, 13> beginnings{
       "porosity_", "stress_mean_",  "unbalanced_",     "coordination_",           "radius_mean_", "pores",  "throats",
       "pc_half_",  "pc_star_half_", "saturation_end_", "trapped_nonwetting_end_", "loop_area_",   "ledger_"};
   const auto begins = [&](std::string_view beginning) {
     return beginning.ends_with('_') ? name.starts_with(beginning) : name == beginning;
   };
+  for (int stage = 0; stage < size_of(c.stages); ++stage)
+    if (begins(stage_name(c, stage) + "_")) return true;
   return std::ranges::any_of(beginnings, begins);
 }
 
@@ -69,7 +71,7 @@ std::string run_text(const Case& c, const State& state, const RunResults& result
   std::string text = retention_table(state);
   if (!text.empty()) text += "\n";
   for (const auto& [name, value] : results.scalars)
-    if (is_shown(name)) text += fmt::format("{:<40} {:.6g}\n", name, value);
+    if (is_shown(c, name)) text += fmt::format("{:<40} {:.6g}\n", name, value);
   const std::size_t missed = missed_bounds(c, results).size();
   if (!c.expected.empty()) text += fmt::format("{} of {} expected bounds hold\n", c.expected.size() - missed, c.expected.size());
   text += fmt::format("\n{} wall time, {:.0f} MB peak memory\n", show_duration(outcome.wall_time),

@@ -87,6 +87,36 @@ std::string retention_line(const RetentionRow& r) {
                      r.trapped_nonwetting);
 }
 
+std::string history_header(const Domain& domain) {
+  std::string header =
+      "time_s,stage,step,time_step_s,strain_xx,strain_yy,strain_zz,strain_volumetric,porosity,void_ratio,sigma_xx_Pa,sigma_yy_Pa,"
+      "sigma_zz_Pa,p_Pa,q_Pa,shear_strain,normal_stress_Pa,shear_stress_Pa,unbalanced,coordination,coordination_inner,largest_"
+      "overlap";
+  for (int face = 0; face < 6; ++face)
+    if (domain.is_wall(face)) {
+      const std::string_view name = face_names[to_size(face)];
+      header += fmt::format(",force_{0}_x_N,force_{0}_y_N,force_{0}_z_N,position_{0}_m", name);
+    }
+  return header +
+         ",energy_kinetic_J,energy_normal_J,energy_shear_J,loss_friction_J,work_shear_J,work_rolling_J,loss_viscous_J,"
+         "loss_damping_J,work_input_J,energy_residual_J\n";
+}
+
+std::string history_line(const HistoryRow& r, const Domain& domain) {
+  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", r.time, r.stage, r.step,
+                                 r.time_step, r.strain.x, r.strain.y, r.strain.z, r.volumetric, r.porosity, r.void_ratio(),
+                                 r.stress.x, r.stress.y, r.stress.z, r.mean, r.deviator, r.shear_strain, r.normal_stress,
+                                 r.shear_stress, r.unbalanced, r.coordination, r.coordination_inner, r.largest_overlap);
+  for (int face = 0; face < 6; ++face)
+    if (domain.is_wall(face)) {
+      const Vec3& f = r.wall_force[to_size(face)];
+      line += fmt::format(",{},{},{},{}", f.x, f.y, f.z, r.wall_position[to_size(face)]);
+    }
+  const Energies& e = r.energy;
+  return line + fmt::format(",{},{},{},{},{},{},{},{},{},{}\n", e.kinetic, e.normal, e.shear, e.friction, e.shear_work,
+                            e.roll_work, e.viscous, e.damping, e.input, r.energy_residual);
+}
+
 std::string event_line(long event, const InvasionEvent& e) {
   return fmt::format("{},{},{},{},{},{},{}\n", event, event_name(e.kind), e.capillary_pressure, e.pore, e.throat, e.units,
                      e.wetting_volume);
@@ -115,6 +145,29 @@ std::vector<RetentionRow> read_retention(const std::filesystem::path& path) {
     row.saturation = table.number(k, "saturation");
     row.trapped_wetting = table.number_or(k, "trapped_wetting", 0.0);
     row.trapped_nonwetting = table.number_or(k, "trapped_nonwetting", 0.0);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<HistoryRow> read_history(const std::filesystem::path& path) {
+  const Table table(path);
+  std::vector<HistoryRow> rows;
+  for (int k = 0; k < table.rows(); ++k) {
+    HistoryRow row;
+    row.stage = table.has("stage") ? table.text(k, "stage") : "triaxial";
+    row.time = table.number_or(k, "time_s", 0.0);
+    row.strain.z = table.number(k, "strain_zz");
+    row.volumetric = table.number_or(k, "strain_volumetric", 0.0);
+    row.porosity = table.number_or(k, "porosity", 0.0);
+    row.mean = table.number(k, "p_Pa");
+    row.deviator = table.number(k, "q_Pa");
+    row.stress.z = table.number_or(k, "sigma_zz_Pa", row.mean + 2.0 / 3.0 * row.deviator);
+    row.shear_strain = table.number_or(k, "shear_strain", 0.0);
+    row.normal_stress = table.number_or(k, "normal_stress_Pa", 0.0);
+    row.shear_stress = table.number_or(k, "shear_stress_Pa", 0.0);
+    row.coordination = table.number_or(k, "coordination", 0.0);
+    row.unbalanced = table.number_or(k, "unbalanced", 0.0);
     rows.push_back(std::move(row));
   }
   return rows;

@@ -310,7 +310,7 @@ std::string describe(const Dimension& dimension) {
     Dimension dimension;
     std::string_view text;
   };
-  static constexpr std::array<Name, 15> names{{{{}, "a pure number"},
+  static constexpr std::array<Name, 17> names{{{{}, "a pure number"},
                                                {length, "a length"},
                                                {{2, 0, 0, 0, 0}, "an area"},
                                                {{3, 0, 0, 0, 0}, "a volume"},
@@ -324,6 +324,8 @@ std::string describe(const Dimension& dimension) {
                                                {{0, 1, -2, 0, 0}, "a surface tension or stiffness"},
                                                {{-1, 1, -1, 0, 0}, "a viscosity"},
                                                {{1, 0, -1, 0, 0}, "a velocity"},
+                                               {{1, 0, -2, 0, 0}, "an acceleration"},
+                                               {{0, 0, -1, 0, 0}, "a rate"},
                                                {{0, 0, 0, 1, 0}, "a temperature"}}};
   for (const Name& name : names)
     if (name.dimension == dimension) return std::string(name.text);

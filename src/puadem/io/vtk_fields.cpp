@@ -1,6 +1,10 @@
 #include "puadem/io/vtk_fields.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "puadem/dem/contacts.hpp"
 
 namespace puadem {
 
@@ -11,6 +15,31 @@ VtkPolyData grain_fields(const State& state) {
   VtkPolyData data;
   data.points = p.position;
   data.point_data = {{"radius", p.radius}, {"material", std::move(material)}};
+  return data;
+}
+
+VtkPolyData contact_fields(const State& state) {
+  const std::vector<Contact> contacts = contacts_of(*state.grains);
+  double mean_force = 0.0, mean_radius = 0.0;
+  for (const Contact& c : contacts) mean_force += c.normal_force / size_of(contacts);
+  for (const double r : state.particles.radius) mean_radius += r / state.particles.size();
+  VtkPolyData data;
+  std::vector<double> radius, normal, shear;
+  std::vector<std::uint8_t> wall;
+  for (const Contact& c : contacts) {
+    const Vec3& end = state.particles.position[to_size(c.second)];
+    const int first = size_of(data.points);
+    data.points.push_back(end - c.branch);
+    data.points.push_back(end);
+    data.lines.push_back({first, first + 1});
+    const double width = mean_radius / 3.0 * std::sqrt(std::max(c.normal_force, 0.0) / mean_force);
+    radius.insert(radius.end(), {width, width});
+    normal.push_back(c.normal_force);
+    shear.push_back(norm(c.shear));
+    wall.push_back(c.wall >= 0 ? 1 : 0);
+  }
+  data.point_data = {{"radius", std::move(radius)}};
+  data.cell_data = {{"normal_force", std::move(normal)}, {"shear_force", std::move(shear)}, {"wall", std::move(wall)}};
   return data;
 }
 

@@ -9,6 +9,11 @@ namespace puadem {
 /// Grains as points with `radius` [m] and `material`.
 VtkPolyData grain_fields(const State& state);
 
+/// Contacts as lines from centre to centre, or from the foot on a wall: `normal_force` and `shear_force` [N], `wall`
+/// (1 against a wall); `radius` on the points grows with the root of the normal force, the mean force having a
+/// third of the mean grain radius, for tubes. @pre the state has the grain engine
+VtkPolyData contact_fields(const State& state);
+
 /// Pores as points at their centres with `radius` [m], `volume` [m3], `saturation` [-] (1 before the
 /// first equilibrium), `faces` and `wall` (1 at a wall of the box).
 VtkPolyData pore_fields(const State& state);

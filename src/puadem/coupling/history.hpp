@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "puadem/dem/boundary_program.hpp"
+#include "puadem/dem/energy.hpp"
+#include "puadem/dem/stress.hpp"
+
+namespace puadem {
+
+/// Grains and box at one time of a stage that loads them. Strains are logarithmic, from the start of the
+/// stage; compression and shortening are positive (theory 2.18).
+struct HistoryRow : ProgramRow {
+  std::string stage;                      ///< see stage_name
+  double fraction = 0.0;                  ///< of the stage, in [0, 1]
+  long step = 0;                          ///< of the grain engine
+  double time_step = 0.0;                 ///< [s]
+  double porosity = 0.0;                  ///< 1 - volume of the grains / volume of the box [-]
+  double shear_strain = 0.0;              ///< relative displacement of two walls / their distance [-]
+  double normal_stress = 0.0;             ///< on the two walls that slide [Pa]
+  double shear_stress = 0.0;              ///< mean tangential force on them / area [Pa]
+  double coordination_inner = 0.0;        ///< without grains that have less than four contacts [-]
+  double largest_overlap = 0.0;           ///< share of the smaller radius [-]
+  std::array<Vec3, 6> wall_force{};       ///< of the grains on each face; zero on periodic ones [N]
+  std::array<double, 6> wall_position{};  ///< of each face along its axis [m]
+  Energies energy;                        ///< since the start of the stage
+  double energy_residual = 0.0;           ///< energy not accounted for since then [J]
+
+  double void_ratio() const { return porosity / (1.0 - porosity); }
+  double stress_ratio() const { return mean > 0.0 ? deviator / mean : 0.0; }
+};
+
+/// Where a stage began: what strains, displacements and energies are counted from.
+struct HistoryStart {
+  Vec3 size;                  ///< of the box [m]
+  double solid_volume = 0.0;  ///< of the grains [m3]
+  double energy = 0.0;        ///< stored and taken up when the book was opened [J]
+  int shear_axis = -1;        ///< whose walls slide; -1: none
+  int shear_direction = 0;
+  double wall_offset = 0.0;  ///< of the sliding walls from each other [m]
+};
+
+/// Opens the energy book and notes where the system stands. Forces must be those of the present places.
+HistoryStart begin_history(GrainSystem& system, int shear_axis = -1, int shear_direction = 0);
+
+/// The row of the system as it stands, without energies; stage and fraction are the caller's. @param time  of the run [s]
+/// @pre the forces are those of the present places, `measures` belongs to them
+HistoryRow history_row(const GrainSystem& system, const GrainMeasures& measures, const HistoryStart& start, double time);
+
+/// Adds the energies. @pre as history_row
+void add_energies(const GrainSystem& system, const HistoryStart& start, HistoryRow& row);
+
+}  // namespace puadem
