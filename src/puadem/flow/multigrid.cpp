@@ -83,6 +83,8 @@ struct Multigrid::Parts {
   }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
+
+  void fill(const NetworkMatrix& from);
 };
 
 Multigrid::Multigrid(const NetworkMatrix& matrix) {
@@ -92,22 +94,25 @@ Multigrid::Multigrid(const NetworkMatrix& matrix) {
 
 Multigrid::~Multigrid() = default;
 
+void Multigrid::Parts::fill(const NetworkMatrix& from) {
+  std::vector<int> row(to_size(from.rows())), columns(to_size(from.rows()));
+  double scale = 0.0;  // numbers near 1, whatever the units
+  for (int r = 0; r < from.rows(); ++r) {
+    row[to_size(r)] = r;
+    columns[to_size(r)] = size_of(from.pattern[r]);
+    scale = std::max(scale, from.value[to_size(from.diagonal_entry[to_size(r)])]);
+  }
+  std::vector<double> value(from.value);
+  for (double& v : value) v /= scale;
+  HYPRE_IJMatrixSetDiagOffdSizes(matrix, columns.data(), std::vector<int>(columns.size(), 0).data());
+  HYPRE_IJMatrixInitialize(matrix);
+  HYPRE_IJMatrixSetValues(matrix, from.rows(), columns.data(), row.data(), from.pattern.index.data(), value.data());
+  HYPRE_IJMatrixAssemble(matrix);
+}
+
 void Multigrid::set_up(const NetworkMatrix& matrix) {
   const OneBlasThread one;
-  std::vector<int> row(to_size(matrix.rows())), columns(to_size(matrix.rows()));
-  double scale = 0.0;  // numbers near 1, whatever the units
-  for (int r = 0; r < matrix.rows(); ++r) {
-    row[to_size(r)] = r;
-    columns[to_size(r)] = size_of(matrix.pattern[r]);
-    scale = std::max(scale, matrix.value[to_size(matrix.diagonal_entry[to_size(r)])]);
-  }
-  std::vector<double> value(matrix.value);
-  for (double& v : value) v /= scale;
-  HYPRE_IJMatrixSetDiagOffdSizes(parts_->matrix, columns.data(), std::vector<int>(columns.size(), 0).data());
-  HYPRE_IJMatrixInitialize(parts_->matrix);
-  HYPRE_IJMatrixSetValues(parts_->matrix, matrix.rows(), columns.data(), row.data(), matrix.pattern.index.data(), value.data());
-  HYPRE_IJMatrixAssemble(parts_->matrix);
-
+  parts_->fill(matrix);
   HYPRE_Solver& solver = parts_->solver;
   if (solver != nullptr) HYPRE_BoomerAMGDestroy(solver);
   HYPRE_BoomerAMGCreate(&solver);

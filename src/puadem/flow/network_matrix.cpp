@@ -6,9 +6,9 @@
 
 namespace puadem {
 
-NetworkMatrix::NetworkMatrix(int rows, std::span<const std::array<int, 2>> links) : link(links.begin(), links.end()) {
+NetworkMatrix::NetworkMatrix(int rows, std::span<const std::array<int, 2>> links) {
   std::vector<int> count(to_size(rows) + 1, 0);
-  for (const auto& [i, j] : link) {
+  for (const auto& [i, j] : links) {
     assert(i != j);
     ++count[to_size(i) + 1];
     ++count[to_size(j) + 1];
@@ -16,7 +16,7 @@ NetworkMatrix::NetworkMatrix(int rows, std::span<const std::array<int, 2>> links
   for (int r = 0; r < rows; ++r) count[to_size(r) + 1] += count[to_size(r)];
   std::vector<int> neighbour(to_size(count.back()));
   std::vector<int> next(count.begin(), count.end() - 1);
-  for (const auto& [i, j] : link) {
+  for (const auto& [i, j] : links) {
     neighbour[to_size(next[to_size(i)]++)] = j;
     neighbour[to_size(next[to_size(j)]++)] = i;
   }
@@ -33,23 +33,24 @@ NetworkMatrix::NetworkMatrix(int rows, std::span<const std::array<int, 2>> links
     pattern.start.push_back(size_of(pattern.index));
   }
   value.resize(pattern.index.size());
-  link_entry.reserve(link.size());
+  link_entry.reserve(links.size());
   const auto entry = [&](int row, int column) {
     const auto columns = pattern[row];
     return pattern.start[to_size(row)] + static_cast<int>(std::ranges::lower_bound(columns, column) - columns.begin());
   };
-  for (const auto& [i, j] : link) link_entry.push_back({entry(i, j), entry(j, i)});
+  for (const auto& [i, j] : links) link_entry.push_back({entry(i, j), entry(j, i)});
 }
 
 void NetworkMatrix::set(std::span<const double> conductance, std::span<const double> diagonal) {
   std::ranges::fill(value, 0.0);
-  for (int i = 0; i < rows(); ++i) value[to_size(diagonal_entry[to_size(i)])] = diagonal[to_size(i)];
-  for (std::size_t k = 0; k < link.size(); ++k) {
-    const auto [i, j] = link[k];
+  for (std::size_t k = 0; k < link_entry.size(); ++k) {
     value[to_size(link_entry[k][0])] -= conductance[k];
     value[to_size(link_entry[k][1])] -= conductance[k];
-    value[to_size(diagonal_entry[to_size(i)])] += conductance[k];
-    value[to_size(diagonal_entry[to_size(j)])] += conductance[k];
+  }
+  for (int r = 0; r < rows(); ++r) {
+    double sum = diagonal[to_size(r)];
+    for (int e = pattern.start[to_size(r)]; e < pattern.start[to_size(r) + 1]; ++e) sum -= value[to_size(e)];
+    value[to_size(diagonal_entry[to_size(r)])] = sum;
   }
 }
 

@@ -14,7 +14,6 @@ struct NetworkMatrix {
   Csr pattern;                                 ///< columns of each row
   std::vector<double> value;                   ///< of each entry
   std::vector<int> diagonal_entry;             ///< of each row
-  std::vector<std::array<int, 2>> link;        ///< rows each link joins
   std::vector<std::array<int, 2>> link_entry;  ///< entries (i, j) and (j, i) of each link
 
   NetworkMatrix(int rows, std::span<const std::array<int, 2>> links);

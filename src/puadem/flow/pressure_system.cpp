@@ -129,7 +129,7 @@ PressureSolveReport PressureSystem::solve(std::span<const double> right_hand_sid
 int PressureSystem::unknowns() const { return parts_->matrix.rows(); }
 bool PressureSystem::is_factorised() const { return parts_->factor.has_value(); }
 double PressureSystem::bytes() const {
-  const double matrix = 12.0 * parts_->matrix.entries() + 16.0 * size_of(parts_->matrix.link);
+  const double matrix = 12.0 * parts_->matrix.entries() + 8.0 * size_of(parts_->matrix.link_entry);
   return matrix + (parts_->factor ? parts_->factor->bytes() : 0.0);
 }
 

@@ -34,17 +34,16 @@ void check_problem(const PoreNetwork& network, const Domain& domain, const Singl
   require(problem.viscosity > 0.0, "the viscosity is {} Pa s: it must be > 0", problem.viscosity);
 }
 
-/// Conductances within the limits, if there are any.
-std::vector<double> limited(const PoreNetwork& network, const std::optional<ConductanceLimits>& limits, SinglePhaseFlow& flow) {
+/// Conductances within the limits.
+std::vector<double> limited(const PoreNetwork& network, const ConductanceLimits& limits, SinglePhaseFlow& flow) {
   std::vector<double> conductance = network.throat_conductance;
-  if (!limits) return conductance;
   std::vector<double> open;
   for (const double g : conductance)
     if (g > 0.0) open.push_back(g);
   if (open.empty()) return conductance;
   const auto middle = open.begin() + size_of(open) / 2;
   std::nth_element(open.begin(), middle, open.end());
-  const double low = limits->low * *middle, high = limits->high * *middle;
+  const double low = limits.low * *middle, high = limits.high * *middle;
   for (double& g : conductance) {
     if (g <= 0.0 || (g >= low && g <= high)) continue;
     ++(g < low ? flow.limited_low : flow.limited_high);
@@ -109,7 +108,8 @@ class Solve {
   Solve(const PoreNetwork& network, const Domain& domain, const SinglePhaseProblem& problem, SinglePhaseMemory& memory)
       : network_(network), period_(domain.size()), problem_(problem), memory_(memory) {
     check_problem(network, domain, problem);
-    conductance_ = limited(network, problem.conductance_limits, flow_);
+    if (problem.conductance_limits) limited_ = limited(network, *problem.conductance_limits, flow_);
+    conductance_ = problem.conductance_limits ? limited_ : network.throat_conductance;
     flow_.joined = static_cast<int>(std::ranges::count_if(conductance_, [](double g) { return std::isinf(g); }));
     make_pattern();
   }
@@ -204,7 +204,7 @@ class Solve {
         const int u = memory_.unknown[to_size(graph().pore_node[to_size(p)])];
         if (u >= 0) diagonal[to_size(u)] += storage(p);
       }
-    if (conductance_ == memory_.conductance && diagonal == memory_.diagonal) return;  // the factor stands
+    if (std::ranges::equal(conductance_, memory_.conductance) && diagonal == memory_.diagonal) return;  // the factor stands
     std::vector<double> link_conductance;
     for (int k = 0; k < graph().links(); ++k) {
       const auto [a, b] = graph().link[to_size(k)];
@@ -212,7 +212,7 @@ class Solve {
         link_conductance.push_back(conductance_[to_size(graph().link_throat[to_size(k)])]);
     }
     memory_.system->set(link_conductance, diagonal);
-    memory_.conductance = conductance_;
+    memory_.conductance.assign(conductance_.begin(), conductance_.end());
     memory_.diagonal = std::move(diagonal);
   }
 
@@ -269,7 +269,7 @@ class Solve {
       through[to_size(a)] += 0.5 * std::abs(q);
       through[to_size(b)] += 0.5 * std::abs(q);
     }
-        flow_.pressure.resize(to_size(network_.pores()));
+    flow_.pressure.resize(to_size(network_.pores()));
     for (int p = 0; p < network_.pores(); ++p) {
       const int n = graph().pore_node[to_size(p)];
       const auto& s = graph().pore_shift[to_size(p)];
@@ -310,7 +310,8 @@ class Solve {
   const SinglePhaseProblem& problem_;
   SinglePhaseMemory& memory_;
   SinglePhaseFlow flow_;
-  std::vector<double> conductance_, source_;
+  std::vector<double> limited_, source_;
+  std::span<const double> conductance_;
   std::vector<std::optional<double>> prescribed_;
   double reference_ = 0.0;
 };
