@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "puadem/dem/boundary_program.hpp"
 #include "puadem/dem/motion.hpp"
 #include "support.hpp"
 
@@ -73,6 +74,30 @@ TEST(Energy, ViscousContactsBookWhatTheyTake) {
   const Balance b = squeeze(contact, 0.0);
   EXPECT_LT(std::abs(b.residual), 1e-4);
   EXPECT_GT(b.end.viscous, 1e-3 * b.end.input);
+}
+
+// A layer between rough walls that move against each other, one of them holding a stress: the walls do all the work.
+TEST(Energy, ServoAndSlidingWallsBookTheirWork) {
+  const int n = 6;
+  const Material m = test::material(1e7, 0.3, 2650, 0.4);
+  Domain box;
+  box.upper = n * spacing * Vec3{1, 1, 1};
+  box.periodic = {true, true, false};
+  MotionOptions motion;
+  motion.damping = 0.2;
+  GrainSystem s = make_grain_system(test::shaken_lattice(n, spacing, m, 5, 0.0), box, std::span(&m, 1),
+                                    contact_of(ContactOptions::Law::linear_spring, 0.5), motion);
+  s.time_step = 1e-6;
+  shear_by_walls(s, 2, {1, 0.5, 0}, 0.3, 20e3, 0.05);
+  advance_grains(s, 2000);
+  evaluate_forces(s);
+  open_energy_book(s);
+  const Energies start = energies(s);
+  advance_grains(s, 20000);
+  evaluate_forces(s);
+  const Energies end = energies(s);
+  EXPECT_LT(std::abs(end.stored() + end.taken() - start.stored() - start.taken() - end.input), 1e-4 * end.input);
+  EXPECT_GT(end.friction, 0.3 * end.input);
 }
 
 /// A sphere that rests on the floor by its own weight, gravity tilted by `slope`.
