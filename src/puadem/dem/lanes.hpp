@@ -12,7 +12,7 @@
 #define PUADEM_INLINE [[gnu::always_inline]] inline
 
 // A hot loop is compiled twice, and the loader takes what the machine can do.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define PUADEM_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define PUADEM_CLONES
