@@ -52,27 +52,38 @@ TEST(StrainingBox, InputIsWhatIsStoredAndTaken) {
       evaluate_forces(s);
     }
     const Energies end = energies(s);
-    EXPECT_GT(end.input, 2.0 * start.stored());
+    EXPECT_GT(end.input, 0.02 * start.stored());
     EXPECT_GT(end.damping, 0.01 * end.input);
     EXPECT_NEAR(end.stored() + end.taken() - start.stored() - start.taken(), end.input, 1e-3 * end.input);
   }
 }
 
-TEST(HeldStress, DoesNotLagWhereThePackingKeepsStraining) {
+/// Mean error of a lateral stress that is held while the packing keeps straining, with or without memory.
+double lag(bool remembers) {
   GrainSystem s = lattice({true, true, true}, linear(), 0.0, 0.3);
-  BoxProgram program = triaxial(20e3, 20.0, 100.0);
-  program.strain_rate.y = -10.0;  // shortening along z and stretching along y change the area of the column along x
+  s.time_step = 1e-6;
+  BoxProgram program = triaxial(20e3, 5.0, 100.0);
+  program.strain_rate.y = -2.5;  // shortening along z and stretching along y change the area of the column along x
   program.stress[1].reset();
   BoxServo servo;
   double error = 0.0;
-  for (int k = 0; k < 600; ++k) {
+  constexpr int settings = 1800, last = 200;
+  for (int k = 0; k < settings; ++k) {
     evaluate_forces(s);
     const GrainMeasures m = measure(s);
-    if (k >= 500) error = std::max(error, std::abs(m.stress[0].x / 20e3 - 1.0));
-    steer_box(s, program, m, servo);
+    if (k >= settings - last) error += (m.stress[0].x / 20e3 - 1.0) / last;
+    if (remembers)
+      steer_box(s, program, m, servo);
+    else
+      steer_box(s, program, m);
     advance_grains(s, program.interval);
   }
-  EXPECT_LT(error, 2e-3);
+  return error;
+}
+
+TEST(HeldStress, DoesNotLagWhereThePackingKeepsStraining) {
+  EXPECT_LT(std::abs(lag(true)), 3e-3);
+  EXPECT_GT(std::abs(lag(false)), 1e-2);
 }
 
 TEST(TimeStep, GrowsByATwentiethAtMostAndKeepsToItsShare) {
