@@ -26,13 +26,15 @@ int main(int argc, char** argv) {
   set_threads(argc > 3 ? std::atoi(argv[3]) : 1);
   const double oedometer = argc > 4 ? std::atof(argv[4]) : 0.0;
 
-  const PackingFile packing = read_packing(argv[1]);
+  PackingFile packing = read_packing(argv[1]);
   Material material;
   material.youngs_modulus = 100e6;
   const Particles particles = make_particles(packing.centre, packing.radius, material);
   GrainSystem system = make_grain_system(particles, packing.box, std::span(&material, 1), {}, {});
   system.time_step = 1e-6;
-  if (oedometer > 0.0) set_box_rate(system, {0, 0, -oedometer * packing.box.size().z});
+  const double height = packing.box.size().z;
+  packing = {};
+  if (oedometer > 0.0) set_box_rate(system, {0, 0, -oedometer * height});
   const auto print_state = [&](const char* when) {
     evaluate_forces(system);
     const GrainMeasures m = measure(system);

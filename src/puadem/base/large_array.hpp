@@ -1,14 +1,16 @@
 #pragma once
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-
 #include <cstddef>
 #include <new>
 #include <vector>
 
 namespace puadem {
+
+namespace detail {
+/// Bytes of memory in pages of 2 MiB, where the system grants them, given back to it as a whole.
+void* take_pages(std::size_t bytes);
+void give_pages(void* memory, std::size_t bytes);
+}  // namespace detail
 
 /// Allocator that asks the system for pages of 2 MiB where an array spans several of them: loops that jump
 /// through large arrays then seldom wait for the translation of an address.
@@ -22,16 +24,15 @@ struct LargePages {
   LargePages(const LargePages<U>&) {}
 
   static bool is_large(std::size_t n) { return n * sizeof(T) >= 2 * page; }
-  static std::align_val_t alignment(std::size_t n) { return std::align_val_t{is_large(n) ? page : alignof(T)}; }
 
   T* allocate(std::size_t n) {
-    void* memory = ::operator new(n * sizeof(T), alignment(n));
-#if defined(__linux__)
-    if (is_large(n)) madvise(memory, n * sizeof(T), MADV_HUGEPAGE);  // a wish: nothing is lost where it is refused
-#endif
-    return static_cast<T*>(memory);
+    if (is_large(n)) return static_cast<T*>(detail::take_pages(n * sizeof(T)));
+    return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{alignof(T)}));
   }
-  void deallocate(T* memory, std::size_t n) { ::operator delete(memory, alignment(n)); }
+  void deallocate(T* memory, std::size_t n) {
+    if (is_large(n)) return detail::give_pages(memory, n * sizeof(T));
+    ::operator delete (memory, std::align_val_t{alignof(T)});
+  }
   bool operator==(const LargePages&) const = default;
 };
 

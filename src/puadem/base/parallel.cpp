@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <mutex>
 #include <thread>
@@ -19,12 +20,26 @@ int threads_of_machine() {
   return given > 0 ? given : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// A share of the blocks. Its owner begins with it, so that the same thread meets the same data in every
-/// loop; whoever is done early helps the others.
+/// A share of the blocks. Its owner takes them from the front, so that the same thread meets the same data in
+/// every loop; whoever is done early helps the others from the back.
 struct alignas(64) Share {
-  std::atomic<int> next = 0;
-  int end = 0;
+  std::atomic<std::uint64_t> range = 0;  ///< first block left, and the end of them in the upper half
 };
+
+constexpr std::uint64_t range_of(int begin, int end) {
+  return static_cast<std::uint64_t>(end) << 32 | static_cast<std::uint64_t>(begin);
+}
+
+/// The next block, or -1 where none is left.
+int take_block(Share& share, bool from_front) {
+  std::uint64_t range = share.range;
+  for (;;) {
+    const int begin = static_cast<int>(range & 0xffffffff), end = static_cast<int>(range >> 32);
+    if (begin >= end) return -1;
+    const std::uint64_t rest = from_front ? range_of(begin + 1, end) : range_of(begin, end - 1);
+    if (share.range.compare_exchange_weak(range, rest)) return from_front ? begin : end - 1;
+  }
+}
 
 /// The threads beside the caller, and the loop they are at. A helper that wakes up late finds the loop closed:
 /// nobody waits for a thread that has taken no block.
@@ -61,7 +76,7 @@ void take_part(Team& team, int member) {
   const int members = size_of(team.share);
   for (int m = 0; m < members; ++m) {
     Share& share = team.share[to_size((member + m) % members)];
-    for (int block = share.next++; block < share.end; block = share.next++) {
+    for (int block = take_block(share, m == 0); block >= 0; block = take_block(share, m == 0)) {
       try {
         team.body(team.context, block);
       } catch (...) {
@@ -137,8 +152,8 @@ void detail::run_blocks(int blocks, void (*body)(void*, int), void* context) {
   team.context = context;
   team.first = nullptr;
   for (int m = 0; m < members; ++m) {
-    team.share[to_size(m)].end = static_cast<int>(static_cast<long>(blocks) * (m + 1) / members);
-    team.share[to_size(m)].next = static_cast<int>(static_cast<long>(blocks) * m / members);
+    const auto bound = [&](int member) { return static_cast<int>(static_cast<long>(blocks) * member / members); };
+    team.share[to_size(m)].range = range_of(bound(m), bound(m + 1));
   }
   team.open = true;
   call(team);

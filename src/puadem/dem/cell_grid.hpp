@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "puadem/base/large_array.hpp"
 #include "puadem/base/parallel.hpp"
 #include "puadem/base/vec3.hpp"
 #include "puadem/dem/lanes.hpp"
@@ -14,9 +15,9 @@ struct CellGrid {
   Vec3 origin;
   double width = 0.0;  ///< [m]
   int nx = 0, ny = 0, nz = 0;
-  std::vector<int> start;    ///< spheres of cell c: [start[c], start[c + 1])
-  std::vector<int> sphere;   ///< by number, ascending within a cell
-  std::vector<Lanes> place;  ///< of those spheres: x, y, z, radius
+  std::vector<int> start;   ///< spheres of cell c: [start[c], start[c + 1])
+  std::vector<int> sphere;  ///< by number, ascending within a cell
+  LargeArray<Lanes> place;  ///< of those spheres: x, y, z, radius
 
   int cell_along(double x, double low, int n) const {
     const int c = static_cast<int>((x - low) / width);

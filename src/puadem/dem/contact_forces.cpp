@@ -200,14 +200,16 @@ void update_forces(GrainSystem& s) {
   RollSlot* wall_roll_slot = roll_slot == nullptr ? nullptr : roll_slot + lane_count * blocks;
   const int chunks = (blocks + blocks_per_chunk - 1) / blocks_per_chunk;
   const std::vector<WallChunk> at_walls = wall_chunks(s);
+  const int before = size_of(at_walls) / 2;  // walls at both ends: shares of grains match those of their motion
   std::vector<ContactWork> work(full ? to_size(chunks) + at_walls.size() : 0);
   const auto run_chunk = [&](int chunk) {
     ContactWork* done = full ? &work[to_size(chunk)] : nullptr;
-    if (chunk < chunks) {
-      const int begin = chunk * blocks_per_chunk;
+    const int grain_chunk = chunk - before;
+    if (grain_chunk >= 0 && grain_chunk < chunks) {
+      const int begin = grain_chunk * blocks_per_chunk;
       return grain_blocks<Law, full>(loop, begin, std::min(begin + blocks_per_chunk, blocks), done);
     }
-    const WallChunk& c = at_walls[to_size(chunk - chunks)];
+    const WallChunk& c = at_walls[to_size(grain_chunk < 0 ? chunk : chunk - chunks)];
     const WallLoop wall_loop{
         s.record.data(), s.pairs.walls.data(), s.pairs.materials, s.time_step, &s.walls[to_size(c.wall)], &s.wall_contacts,
         wall_slot,       &s.contact,           wall_roll_slot};

@@ -14,7 +14,7 @@ struct ContactHistory {
   };
   ContactBlocks blocks;    ///< the old list
   std::vector<int> start;  ///< entries of the lower identity, or of the grain at a wall
-  std::vector<Entry> entry;
+  LargeArray<Entry> entry;
 };
 
 /// Takes the old list over; `identity` still belongs to it.

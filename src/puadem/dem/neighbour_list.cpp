@@ -44,7 +44,7 @@ void wrap(GrainSystem& s) {
 void sort_records(GrainSystem& s) {
   const Vec3 size = s.domain.size();
   const double width = std::cbrt(size.x * size.y * size.z / s.owned);
-  std::vector<std::pair<std::uint64_t, int>> key(to_size(s.owned));
+  LargeArray<std::pair<std::uint64_t, int>> key(to_size(s.owned));
   for (int k = 0; k < s.owned; ++k) {
     const GrainRecord& r = s.record[to_size(k)];
     std::uint64_t code = 0;
@@ -156,9 +156,9 @@ ContactBlocks fill_blocks(const GrainSystem& s, const std::vector<Group>& groups
 }
 
 /// A pair across a periodic face is listed by the grain of lower identity and the image of the other.
-void list_grain_contacts(GrainSystem& s, const ContactHistory& history) {
+std::vector<Group> find_groups(const GrainSystem& s) {
   const int spheres = s.owned + size_of(s.image_owner);
-  std::vector<Lanes> place(to_size(spheres));
+  LargeArray<Lanes> place(to_size(spheres));
   for (int k = 0; k < spheres; ++k) place[to_size(k)] = s.record[to_size(k)].place;
   const SizedGrids grids = make_sized_grids(place, s.skin);
   const int* identity = s.identity.data();
@@ -176,9 +176,16 @@ void list_grain_contacts(GrainSystem& s, const ContactHistory& history) {
       });
   };
   parallel_for(size_of(groups), search, 4);
+  return groups;
+}
+
+void list_grain_contacts(GrainSystem& s, const ContactHistory& history) {
+  const std::vector<Group> groups = find_groups(s);
+  const int dummy = s.owned + size_of(s.image_owner);
+  const int* identity = s.identity.data();
   s.grain_contacts = fill_blocks(
-      s, groups, block_starts(groups), history, [&](int) { return spheres; },
-      [&](const Candidate& c) { return identity[c.first]; }, [&](const Candidate& c) { return identity[c.second]; });
+      s, groups, block_starts(groups), history, [&](int) { return dummy; }, [&](const Candidate& c) { return identity[c.first]; },
+      [&](const Candidate& c) { return identity[c.second]; });
 }
 
 /// One group a wall, its grains by identity.
@@ -228,7 +235,7 @@ void make_rows(GrainSystem& s) {
   };
   for_each_end([&](int record, int, int) { ++start[to_size(record) + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Entry> entry(to_size(start.back()));
+  LargeArray<Entry> entry(to_size(start.back()));
   std::vector<int> next(start.begin(), start.end() - 1);
   for_each_end([&](int record, int partner, int place) { entry[to_size(next[to_size(record)]++)] = {partner, place}; });
   s.row.assign(entry.size() + to_size(rows_ahead), 0);
@@ -315,14 +322,18 @@ void update_images(GrainSystem& s) {
 
 void build_neighbour_list(GrainSystem& s) {
   const auto [smallest, largest] = radius_range(s);
-  const ContactHistory grain_history = keep_history(std::move(s.grain_contacts), s.identity, s.owned, false);
-  const ContactHistory wall_history = keep_history(std::move(s.wall_contacts), s.identity, s.owned, true);
-  adapt_skin(s, smallest, largest);
-  wrap(s);
-  sort_records(s);
-  make_images(s, largest);
-  list_grain_contacts(s, grain_history);
-  list_wall_contacts(s, wall_history);
+  LargeArray<ContactSlot>().swap(s.slot);  // gives its memory to the list in the making
+  LargeArray<RollSlot>().swap(s.roll_slot);
+  {
+    const ContactHistory grain_history = keep_history(std::move(s.grain_contacts), s.identity, s.owned, false);
+    const ContactHistory wall_history = keep_history(std::move(s.wall_contacts), s.identity, s.owned, true);
+    adapt_skin(s, smallest, largest);
+    wrap(s);
+    sort_records(s);
+    make_images(s, largest);
+    list_grain_contacts(s, grain_history);
+    list_wall_contacts(s, wall_history);
+  }
   make_rows(s);
   const std::size_t slots = to_size(lane_count * (s.grain_contacts.size() + s.wall_contacts.size()));
   s.slot.assign(slots, ContactSlot{});
