@@ -83,6 +83,22 @@ TEST(ServoWall, HoldsItsStressWhileTheOtherWallsStand) {
   EXPECT_EQ(s.domain.upper.z, s.walls[5].point.z);
 }
 
+// A fluid that pushes with 10 kPa leaves 20 kPa of a total stress of 30 kPa to the grains, and takes nothing of a net stress.
+TEST(ServoWall, HoldsATotalOrANetStress) {
+  for (const auto& [held, left] : {std::pair{ServoStress::total, 20e3}, std::pair{ServoStress::net, 30e3}}) {
+    GrainSystem s = cubic({false, false, false});
+    s.motion.strain_with_box = false;
+    Wall& wall = s.walls[5];
+    wall.target = 30e3;
+    wall.speed_limit = 0.02;
+    wall.servo_stress = held;
+    wall.fluid_force = -10e3 * wall.area * wall.normal;
+    advance_grains(s, 20000);
+    evaluate_forces(s);
+    EXPECT_NEAR(measure(s).wall_stress[5], left, 150);
+  }
+}
+
 // One layer of grains that cannot turn, between two walls that slide.
 TEST(WallShear, ResistsWithFrictionTimesNormalForce) {
   const Material m = test::material(youngs, poisson, 2650, 0.5);

@@ -1,6 +1,7 @@
 #include "puadem/dem/guards.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "puadem/base/error.hpp"
@@ -59,6 +60,26 @@ void guard_grains(const GrainSystem& s, const GuardLimits& limits) {
       if (dot(vec3(r.place) - s.walls[to_size(w)].point, s.walls[to_size(w)].normal) < 0.0)
         throw NumericalError(fmt::format("step {}: a grain has gone through wall {}: {}", s.steps, w, describe(s, k)));
   }
+}
+
+void guard_energy(const GrainSystem& s, const Energies& start, const GuardLimits& limits) {
+  const Energies now = energies(s);
+  const double input = now.input - start.input, taken = now.taken() - start.taken();
+  const double surplus = now.stored() - start.stored() + taken - input;
+  const double scale = std::max({now.stored(), start.stored(), std::abs(input), std::abs(taken)});
+  if (surplus <= limits.energy * scale) return;
+  const auto kinetic = [&](int k) {
+    const GrainRecord& r = s.record[to_size(k)];
+    return mass_of(r) * squared_norm(vec3(r.drift)) + inertia_of(r) * squared_norm(vec3(r.spin));
+  };
+  int liveliest = 0;
+  for (int k = 1; k < s.owned; ++k)
+    if (kinetic(k) > kinetic(liveliest)) liveliest = k;
+  throw NumericalError(fmt::format(
+      "step {}: the grains have {:.3g} J of energy out of nothing: kinetic {:.3g} J, in springs {:.3g} J, taken up or "
+      "lost {:.3g} J, at the start {:.3g} J, work done on them {:.3g} J. Most moves {}. Shorten the time step, now "
+      "{:.3g} s",
+      s.steps, surplus, now.kinetic, now.normal, taken, start.stored(), input, describe(s, liveliest), s.time_step));
 }
 
 }  // namespace puadem

@@ -265,7 +265,8 @@ void set_box_rate(GrainSystem& s, const Vec3& rate) {
 void steer_walls(GrainSystem& s) {
   for (Wall& wall : s.walls) {
     if (!wall.target) continue;
-    const double missing = *wall.target * wall.area + dot(wall.force, wall.normal);  // grains push against the normal
+    const Vec3 push = wall.servo_stress == ServoStress::total ? wall.force + wall.fluid_force : wall.force;
+    const double missing = *wall.target * wall.area + dot(push, wall.normal);  // they push against the normal
     const double wanted = wall.stiffness > 0.0 ? wall.servo_gain * missing / (wall.stiffness * s.time_step) : wall.speed_limit;
     wall.velocity = std::clamp(wanted, -wall.speed_limit, wall.speed_limit) * wall.normal + wall.slide;
   }

@@ -8,6 +8,9 @@
 
 namespace puadem {
 
+/// What a servo wall holds: the stress of grains and fluid together, or that of the grains alone.
+enum class ServoStress { total, net };
+
 /// A plane wall. Grains stand on the side its normal points to.
 struct Wall {
   Vec3 point;                    ///< any point of the plane [m]
@@ -21,8 +24,10 @@ struct Wall {
   Vec3 slide;                    ///< velocity of the wall within its plane while the servo sets the rest [m/s]
   double servo_gain = 0.5;       ///< share of the missing force made up for in one step [-]
   double speed_limit = 0.0;      ///< of the servo [m/s]
-  Vec3 force;                    ///< of the grains on the wall, last evaluation [N]
-  double stiffness = 0.0;        ///< sum of the contacts' normal stiffness, last evaluation [N/m]
+  ServoStress servo_stress = ServoStress::total;
+  Vec3 force;              ///< of the grains on the wall, last evaluation [N]
+  Vec3 fluid_force;        ///< of fluids on the wall, set from outside; 0 in dry runs [N]
+  double stiffness = 0.0;  ///< sum of the contacts' normal stiffness, last evaluation [N/m]
 };
 
 /// The walls of a box, in the order of its faces, periodic faces left out. All at rest.
