@@ -199,7 +199,7 @@ bool same(const std::optional<T>& a, const std::optional<T>& b) {
 bool same(const Case& a, const Case& b) {
   const auto& [title, seed, domain, grains, materials, contact, motion, fluids, pores, stages, output, overlays, expected] = a;
   const auto& [size, shape, periodic] = domain;
-  const auto& [file, count, grading, material, mixture] = grains;
+  const auto& [file, count, grading, material, mixture, cloud, clump_size] = grains;
   const auto& [by, classes, table, lognormal] = grading;
   const auto& [fields, fields_every, fields_count, history_rows] = output;
   const auto& [gravity, safety] = motion;
@@ -207,11 +207,11 @@ bool same(const Case& a, const Case& b) {
          periodic == b.domain.periodic && file == b.grains.file && count == b.grains.count && by == b.grains.grading.by &&
          same(classes, b.grains.grading.classes) && same(table, b.grains.grading.table) &&
          same(lognormal, b.grains.grading.lognormal) && material == b.grains.material && same(mixture, b.grains.materials) &&
-         same(materials, b.materials) && same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) &&
-         same(stages, b.stages) && fields == b.output.fields && fields_every == b.output.fields_every &&
-         fields_count == b.output.fields_count && history_rows == b.output.history_rows && gravity == b.motion.gravity &&
-         safety == b.motion.safety && same(overlays, b.overlays) &&
-         std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
+         cloud == b.grains.cloud && clump_size == b.grains.clump_size && same(materials, b.materials) &&
+         same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) && same(stages, b.stages) &&
+         fields == b.output.fields && fields_every == b.output.fields_every && fields_count == b.output.fields_count &&
+         history_rows == b.output.history_rows && gravity == b.motion.gravity && safety == b.motion.safety &&
+         same(overlays, b.overlays) && std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
            return x.first == y.first && x.second.low == y.second.low && x.second.high == y.second.high;
          });
 }
@@ -291,6 +291,9 @@ TEST(CaseFile, TakesAGradingAsATableOrALogNormalCurve) {
   const Case curve = read(
       start + "[grains.grading]\nby = \"number\"\nlognormal = { median = \"0.4 mm\", deviation = 1.5, largest = \"1 mm\" }\n");
   EXPECT_TRUE(same(*curve.grains.grading.lognormal, {0.4e-3, 1.5, {}, 1e-3}));
+  EXPECT_EQ(
+      read(start + "[grains.grading]\nlognormal = { median = 1e-3, deviation = 2 }\n", {"grains.cloud=clumped"}).grains.cloud,
+      PackingSource::Cloud::clumped);
   EXPECT_TRUE(same(parse_case(resolved_case(curve), "resolved", "/elsewhere").c, curve));
 }
 

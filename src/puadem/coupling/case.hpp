@@ -39,6 +39,8 @@ struct GrainOptions {
     double fraction = 1.0;  ///< of the solid volume [-]
   };
   std::vector<Share> materials;  ///< a mixture, in place of `material`
+  PackingSource::Cloud cloud = PackingSource::Cloud::uniform;
+  double clump_size = 20.0;  ///< mean number of grains in a clump [-]
 };
 
 /// Stage "compact": a random cloud becomes a packing at rest under an isotropic stress.

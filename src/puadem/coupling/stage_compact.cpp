@@ -18,6 +18,8 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   source.shape = c.domain.size.value_or(c.domain.shape);
   source.periodic = c.domain.periodic;
   source.seed = c.seed;
+  source.cloud = c.grains.cloud;
+  source.clump_size = c.grains.clump_size;
 
   CompactionOptions options;
   options.stress = stage.stress;

@@ -1,74 +1,31 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <numbers>
 
 #include "puadem/base/error.hpp"
 #include "puadem/base/random.hpp"
+#include "puadem/dem/clump.hpp"
 #include "puadem/dem/packing.hpp"
+#include "puadem/dem/placed_grains.hpp"
 #include "puadem/dem/sphere_in_box.hpp"
 
 namespace puadem {
 
 namespace {
 
-constexpr double cloud_fraction = 0.3;  // random addition, largest first, fills this at a few trials a grain
-constexpr int trials_per_grain = 20000;
-
-/// Grains placed so far, in cells that a grain may overlap from the neighbouring cell at most.
-struct PlacedGrains {
-  Domain box;
-  std::array<int, 3> cells{};
-  std::vector<std::vector<int>> cell;
-  const std::vector<double>& radius;
-  std::vector<Vec3> position;
-
-  PlacedGrains(const Domain& domain, const std::vector<double>& radii, double largest)
-      : box(domain), radius(radii), position(radii.size()) {
-    for (int axis = 0; axis < 3; ++axis)
-      cells[static_cast<unsigned>(axis)] = std::max(1, static_cast<int>(box.size()[axis] / (2.0 * largest)));
-    cell.resize(to_size(cells[0]) * to_size(cells[1]) * to_size(cells[2]));
-  }
-  int along(const Vec3& x, int axis) const {
-    const int n = cells[static_cast<unsigned>(axis)];
-    return std::clamp(static_cast<int>((x[axis] - box.lower[axis]) / box.size()[axis] * n), 0, n - 1);
-  }
-  int index(int i, int j, int k) const { return (k * cells[1] + j) * cells[0] + i; }
-};
-
-double nearest_image(double d, double size, bool periodic) { return periodic ? d - size * std::round(d / size) : d; }
-
-bool is_free(const PlacedGrains& placed, const Vec3& x, double r) {
-  const Vec3 size = placed.box.size();
-  std::array<std::vector<int>, 3> range;  // a narrow periodic box meets a cell once only
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto a = static_cast<unsigned>(axis);
-    const int n = placed.cells[a], c = placed.along(x, axis);
-    for (int k = c - 1; k <= c + 1; ++k) {
-      if (!placed.box.periodic[a] && (k < 0 || k >= n)) continue;
-      const int wrapped = (k + n) % n;
-      if (std::find(range[a].begin(), range[a].end(), wrapped) == range[a].end()) range[a].push_back(wrapped);
-    }
-  }
-  for (const int k : range[2])
-    for (const int j : range[1])
-      for (const int i : range[0])
-        for (const int other : placed.cell[to_size(placed.index(i, j, k))]) {
-          Vec3 d = placed.position[to_size(other)] - x;
-          for (int axis = 0; axis < 3; ++axis)
-            d[axis] = nearest_image(d[axis], size[axis], placed.box.periodic[static_cast<unsigned>(axis)]);
-          const double reach = r + placed.radius[to_size(other)];
-          if (squared_norm(d) < reach * reach) return false;
-        }
-  return true;
-}
+// Solid fractions that random addition, largest first, fills at a few trials a grain, or a clump.
+constexpr double uniform_fraction = 0.3;
+constexpr double clumped_fraction = 0.08;
+constexpr int most_trials = 20000;
 
 Domain cloud_box(const PackingSource& source, const std::vector<double>& radius, double largest) {
+  const double fraction = source.cloud == PackingSource::Cloud::uniform ? uniform_fraction : clumped_fraction;
   double solid = 0.0;
   for (const double r : radius) solid += 4.0 / 3.0 * std::numbers::pi * r * r * r;
   const Vec3& shape = source.shape;
   for (int axis = 0; axis < 3; ++axis)
     require(shape[axis] > 0.0, "domain.shape: proportion {} of axis {} must be positive", shape[axis], axis);
-  const double scale = std::cbrt(solid / (cloud_fraction * shape.x * shape.y * shape.z));
+  const double scale = std::cbrt(solid / (fraction * shape.x * shape.y * shape.z));
   Domain box;
   box.upper = scale * shape;
   box.periodic = source.periodic;
@@ -76,6 +33,65 @@ Domain cloud_box(const PackingSource& source, const std::vector<double>& radius,
     require(0.7 * box.upper[axis] > 5.0 * largest,
             "axis {} of the box would be narrower than 2.5 diameters of the largest grain: take more grains", axis);
   return box;
+}
+
+/// Grains that are placed together.
+struct Clump {
+  std::vector<int> grain;
+  std::vector<Vec3> offset;  ///< of their centres [m]
+  double radius = 0.0;       ///< of a sphere around all [m]
+};
+
+/// Clumps of consecutive grains, whose order is random; single grains for a uniform cloud. The largest first.
+std::vector<Clump> make_clumps(const PackingSource& source, const std::vector<double>& radius, Random& random) {
+  const bool is_uniform = source.cloud == PackingSource::Cloud::uniform;
+  require(is_uniform || (source.clump_size >= 1.0 && std::isfinite(source.clump_size)),
+          "grains.clump_size = {}: a clump has at least one grain", source.clump_size);
+  const int count = size_of(radius);
+  const int clumps = is_uniform ? count : std::max(1, static_cast<int>(std::lround(count / source.clump_size)));
+  std::vector<Clump> all(to_size(clumps));
+  for (int k = 0; k < count; ++k) all[to_size(static_cast<int>(static_cast<long>(k) * clumps / count))].grain.push_back(k);
+  for (Clump& clump : all) {
+    std::stable_sort(clump.grain.begin(), clump.grain.end(),
+                     [&](int a, int b) { return radius[to_size(a)] > radius[to_size(b)]; });
+    std::vector<double> sizes;
+    for (const int k : clump.grain) sizes.push_back(radius[to_size(k)]);
+    clump.offset = make_clump(sizes, random);
+    for (std::size_t k = 0; k < sizes.size(); ++k) clump.radius = std::max(clump.radius, norm(clump.offset[k]) + sizes[k]);
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Clump& a, const Clump& b) { return a.radius > b.radius; });
+  return all;
+}
+
+/// At a random place where all its grains are free.
+void place_clump(PlacedGrains& placed, const Clump& clump, Random& random) {
+  const Domain& box = placed.box;
+  const Vec3 size = box.size();
+  for (int axis = 0; axis < 3; ++axis)
+    require(2.0 * clump.radius < size[axis],
+            "a clump of {} grains is {:.4g} m wide, axis {} of the cloud's box {:.4g} m: take more grains or a smaller "
+            "grains.clump_size",
+            clump.grain.size(), 2.0 * clump.radius, axis, size[axis]);
+  std::vector<Vec3> at(clump.grain.size());
+  const auto is_placed = [&] {
+    Vec3 centre;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double margin = box.periodic[to_size(axis)] ? 0.0 : clump.radius;
+      centre[axis] = random.uniform(margin, size[axis] - margin);
+    }
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      at[k] = centre + clump.offset[k];
+      for (int axis = 0; axis < 3; ++axis)
+        if (box.periodic[to_size(axis)]) at[k][axis] -= size[axis] * std::floor(at[k][axis] / size[axis]);
+      if (!is_free(placed, at[k], placed.radius[to_size(clump.grain[k])])) return false;
+    }
+    return true;
+  };
+  int trial = 1;
+  while (!is_placed())
+    ensure(++trial <= most_trials, "the random cloud finds no place for {} grain(s) within {:.4g} m in {} trials",
+           clump.grain.size(), clump.radius, most_trials);
+  for (std::size_t k = 0; k < at.size(); ++k) place(placed, clump.grain[k], at[k]);
 }
 
 }  // namespace
@@ -86,31 +102,9 @@ Packing random_cloud(const PackingSource& source, std::span<const Material> mate
             materials.size());
   const std::vector<double> radius = grain_radii(source.grading, source.count, source.seed);
   const double largest = *std::max_element(radius.begin(), radius.end());
-  PlacedGrains placed(cloud_box(source, radius, largest), radius, largest);
-
-  std::vector<int> order(radius.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return radius[to_size(a)] > radius[to_size(b)]; });
+  PlacedGrains placed = empty_box(cloud_box(source, radius, largest), radius);
   Random random(source.seed ^ 0x636c6f7564ULL);
-  const Vec3& upper = placed.box.upper;
-  for (const int grain : order) {
-    const double r = radius[to_size(grain)];
-    const auto within = [&](int axis) {
-      const double margin = placed.box.periodic[static_cast<unsigned>(axis)] ? 0.0 : r;
-      return random.uniform(margin, upper[axis] - margin);
-    };
-    Vec3 x;
-    int trial = 0;
-    do {
-      ensure(++trial <= trials_per_grain, "the random cloud finds no place for grain {} of radius {:.4g} m in {} trials", grain,
-             r, trials_per_grain);
-      x.x = within(0);
-      x.y = within(1);
-      x.z = within(2);
-    } while (!is_free(placed, x, r));
-    placed.position[to_size(grain)] = x;
-    placed.cell[to_size(placed.index(placed.along(x, 0), placed.along(x, 1), placed.along(x, 2)))].push_back(grain);
-  }
+  for (const Clump& clump : make_clumps(source, radius, random)) place_clump(placed, clump, random);
   Packing cloud;
   cloud.domain = placed.box;
   cloud.particles = make_particles(placed.position, radius, materials, assign_materials(radius, source.materials));

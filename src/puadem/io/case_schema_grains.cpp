@@ -180,6 +180,14 @@ const Section<GrainOptions>& grains_section() {
     }};
     s.fields.push_back(bind_tables<GrainOptions>(plain("materials", "a list of tables", "a mixture, in place of material"),
                                                  share_section, &GrainOptions::materials));
+    s.fields.push_back(bind_choice<GrainOptions>(
+        choice("cloud", {"uniform", "clumped"},
+               "how the grains lie before they are compacted: one by one, or in clumps, which leave large pores and a loose, "
+               "collapsible packing; clumps are no rigid bodies, their grains move freely"),
+        &GrainOptions::cloud));
+    s.fields.push_back(bind<GrainOptions>(
+        number("clump_size", at_least(1), "mean number of grains in a clump of a clumped cloud", between(2, 1000)),
+        &GrainOptions::clump_size));
     auto& material = s.fields[2];
     material.write = [write = material.write](const GrainOptions& g) { return g.materials.empty() ? write(g) : std::string(); };
     // A packing file replaces count and grading.
