@@ -191,8 +191,8 @@ int doctor() {
   line(true, "version", version_text());
   line(true, "compiler flags", build_info::flags);
   line(true, "libraries",
-       fmt::format("CGAL {}, fmt {}.{}.{}, CLI11 {}, OpenMP {}", build_info::cgal, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                   FMT_VERSION % 100, CLI11_VERSION, build_info::openmp));
+       fmt::format("CGAL {}, fmt {}.{}.{}, CLI11 {}", build_info::cgal, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                   FMT_VERSION % 100, CLI11_VERSION));
   line(true, "processor", fmt::format("{}, {} threads", processor_name(), threads()));
   line(can_write_here(), "working folder", fs::current_path().string(),
        "it cannot be written; use --output or change to another folder");

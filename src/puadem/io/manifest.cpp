@@ -23,7 +23,6 @@ std::string version_of(int packed, int major_step, int minor_step) {
 json libraries() {
   return {{"fmt", version_of(FMT_VERSION, 10000, 100)},
           {"CGAL", build_info::cgal},
-          {"OpenMP", build_info::openmp},
           {"nlohmann-json",
            fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 }
