@@ -2,6 +2,9 @@
 
 #include <numbers>
 
+#include "puadem/dem/fabric.hpp"
+#include "puadem/dem/guards.hpp"
+
 namespace puadem {
 
 namespace {
@@ -38,8 +41,7 @@ HistoryStart begin_history(GrainSystem& s, int shear_axis, int shear_direction) 
     const double r = radius_of(s.record[to_size(k)]);
     start.solid_volume += 4.0 / 3.0 * std::numbers::pi * r * r * r;
   }
-  const Energies e = energies(s);
-  start.energy = e.stored() + e.taken() - e.input;
+  start.energies = energies(s);
   start.shear_axis = shear_axis;
   start.shear_direction = shear_direction;
   if (shear_axis >= 0) start.wall_offset = offset_of_walls(s, shear_axis, shear_direction);
@@ -62,9 +64,16 @@ HistoryRow history_row(const GrainSystem& s, const GrainMeasures& m, const Histo
   return row;
 }
 
-void add_energies(const GrainSystem& s, const HistoryStart& start, HistoryRow& row) {
+void complete_row(const GrainSystem& s, const HistoryStart& start, HistoryRow& row) {
+  guard_energy(s, start.energies);
+  const auto unexplained = [](const Energies& e) { return e.stored() + e.taken() - e.input; };
   row.energy = energies(s);
-  row.energy_residual = row.energy.stored() + row.energy.taken() - row.energy.input - start.energy;
+  row.energy_residual = unexplained(row.energy) - unexplained(start.energies);
+  const FabricMeasures fabric = measure_fabric(s);
+  row.coordination_mechanical = fabric.coordination_mechanical;
+  row.rattlers = fabric.rattlers;
+  row.sliding = fabric.sliding;
+  row.fabric_anisotropy = fabric.deviatoric;
 }
 
 }  // namespace puadem

@@ -20,7 +20,11 @@ struct HistoryRow : ProgramRow {
   double shear_strain = 0.0;              ///< relative displacement of two walls / their distance [-]
   double normal_stress = 0.0;             ///< on the two walls that slide [Pa]
   double shear_stress = 0.0;              ///< mean tangential force on them / area [Pa]
-  double coordination_inner = 0.0;        ///< without grains that have less than four contacts [-]
+  double coordination_inner = 0.0;        ///< without rattlers, see count_contacts [-]
+  double coordination_mechanical = 0.0;   ///< Z_m of Thornton 2000 [-]
+  double rattlers = 0.0;                  ///< share of the grains [-]
+  double sliding = 0.0;                   ///< share of contacts at their Coulomb limit [-]
+  double fabric_anisotropy = 0.0;         ///< of the normals of contacts between grains, theory 2.17 [-]
   double largest_overlap = 0.0;           ///< share of the smaller radius [-]
   std::array<Vec3, 6> wall_force{};       ///< of the grains on each face; zero on periodic ones [N]
   std::array<double, 6> wall_position{};  ///< of each face along its axis [m]
@@ -35,7 +39,7 @@ struct HistoryRow : ProgramRow {
 struct HistoryStart {
   Vec3 size;                  ///< of the box [m]
   double solid_volume = 0.0;  ///< of the grains [m3]
-  double energy = 0.0;        ///< stored and taken up when the book was opened [J]
+  Energies energies;          ///< when the book was opened
   int shear_axis = -1;        ///< whose walls slide; -1: none
   int shear_direction = 0;
   double wall_offset = 0.0;  ///< of the sliding walls from each other [m]
@@ -44,11 +48,13 @@ struct HistoryStart {
 /// Opens the energy book and notes where the system stands. Forces must be those of the present places.
 HistoryStart begin_history(GrainSystem& system, int shear_axis = -1, int shear_direction = 0);
 
-/// The row of the system as it stands, without energies; stage and fraction are the caller's. @param time  of the run [s]
+/// The row of the system as it stands, without fabric and energies; stage and fraction are the caller's.
+/// @param time  of the run [s]
 /// @pre the forces are those of the present places, `measures` belongs to them
 HistoryRow history_row(const GrainSystem& system, const GrainMeasures& measures, const HistoryStart& start, double time);
 
-/// Adds the energies. @pre as history_row
-void add_energies(const GrainSystem& system, const HistoryStart& start, HistoryRow& row);
+/// Adds what costs more to measure: fabric and energies. @pre as history_row
+/// @throws NumericalError  the grains have energy that no work explains
+void complete_row(const GrainSystem& system, const HistoryStart& start, HistoryRow& row);
 
 }  // namespace puadem

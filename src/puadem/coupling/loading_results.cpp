@@ -115,6 +115,8 @@ void describe_loading(const Stage& stage, const std::string& name, const Loading
   s[name + "_strain_volumetric"] = last.volumetric;
   s[name + "_porosity"] = last.porosity;
   s[name + "_coordination"] = last.coordination;
+  s[name + "_rattlers"] = last.rattlers;
+  s[name + "_fabric_anisotropy"] = last.fabric_anisotropy;
   s[name + "_unbalanced"] = mean_of(last_tenth(rows), [](const auto& r) { return r.unbalanced; });
   s[name + "_end_p_Pa"] = mean_of(last_tenth(rows), [](const auto& r) { return r.mean; });
   s[name + "_end_q_Pa"] = mean_of(last_tenth(rows), [](const auto& r) { return r.deviator; });

@@ -9,6 +9,7 @@
 #include "puadem/coupling/stages.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/time_step.hpp"
+#include "puadem/dem/time_step_report.hpp"
 
 namespace puadem {
 
@@ -137,7 +138,7 @@ void write_row(Loading& l, HistoryRow row) {
   if (row.step == l.last_row_step) return;
   l.last_row_step = row.step;
   row.stage = l.name;
-  add_energies(l.system, l.start, row);
+  complete_row(l.system, l.start, row);
   keep_in_step(l);
   l.state.history.push_back(row);
   if (l.observer.history) l.observer.history(l.state, row);
@@ -226,9 +227,8 @@ void tell_end(const Loading& l, const Stage& stage) {
   const TimeStepLimit limit = critical_time_step(l.system);
   const HistoryRow& last = l.state.history.back();
   if (limit.grain >= 0)
-    l.observer.message(fmt::format(
-        "stage {}: {} steps, the last of {:.3g} s; the critical one, {:.3g} s, is set by the {} of grain {}", l.name,
-        last.step - l.first_step, last.time_step, limit.critical, limit.rotation ? "rotation" : "translation", limit.grain));
+    l.observer.message(fmt::format("stage {}: {} steps, the last of {:.3g} s; {}", l.name, last.step - l.first_step,
+                                   last.time_step, time_step_text(l.system, limit)));
   if (std::holds_alternative<SettleStage>(stage) && !(last.unbalanced < l.program.unbalanced && last.coordination > 0.0))
     l.observer.message(
         fmt::format("warning: stage {}: not at rest after its time, the unbalanced force is {:.2g}; give it more time", l.name,

@@ -236,13 +236,14 @@ TimeStepLimit critical_time_step(const GrainSystem& s) {
         });
       },
       s.law);
-  TimeStepLimit limit{.critical = std::numeric_limits<double>::infinity()};
+  constexpr double none = std::numeric_limits<double>::infinity();
+  TimeStepLimit limit{.critical = none};
   for (int k = 0; k < s.owned; ++k) {
     const GrainRecord& r = s.record[to_size(k)];
     const double kt = std::max({push[to_size(k)].x, push[to_size(k)].y, push[to_size(k)].z});
     const double kr = std::max({roll[to_size(k)].x, roll[to_size(k)].y, roll[to_size(k)].z});
-    const double by_push = kt > 0.0 ? std::sqrt(2.0 * mass_of(r) / kt) : limit.critical;
-    const double by_roll = kr > 0.0 ? std::sqrt(2.0 * inertia_of(r) / kr) : limit.critical;
+    const double by_push = kt > 0.0 ? std::sqrt(2.0 * mass_of(r) / kt) : none;
+    const double by_roll = kr > 0.0 ? std::sqrt(2.0 * inertia_of(r) / kr) : none;
     const double least = std::min(by_push, by_roll);
     const int id = s.identity[to_size(k)];
     if (least < limit.critical || (least == limit.critical && limit.grain > id)) limit = {least, id, by_roll < by_push};

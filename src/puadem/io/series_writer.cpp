@@ -90,8 +90,9 @@ std::string retention_line(const RetentionRow& r) {
 std::string history_header(const Domain& domain) {
   std::string header =
       "time_s,stage,step,time_step_s,strain_xx,strain_yy,strain_zz,strain_volumetric,porosity,void_ratio,sigma_xx_Pa,sigma_yy_Pa,"
-      "sigma_zz_Pa,p_Pa,q_Pa,shear_strain,normal_stress_Pa,shear_stress_Pa,unbalanced,coordination,coordination_inner,largest_"
-      "overlap";
+      "sigma_zz_Pa,p_Pa,q_Pa,shear_strain,normal_stress_Pa,shear_stress_Pa,unbalanced,coordination,coordination_inner,"
+      "coordination_"
+      "mechanical,rattlers,sliding,fabric_anisotropy,largest_overlap";
   for (int face = 0; face < 6; ++face)
     if (domain.is_wall(face)) {
       const std::string_view name = face_names[to_size(face)];
@@ -103,10 +104,11 @@ std::string history_header(const Domain& domain) {
 }
 
 std::string history_line(const HistoryRow& r, const Domain& domain) {
-  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", r.time, r.stage, r.step,
-                                 r.time_step, r.strain.x, r.strain.y, r.strain.z, r.volumetric, r.porosity, r.void_ratio(),
-                                 r.stress.x, r.stress.y, r.stress.z, r.mean, r.deviator, r.shear_strain, r.normal_stress,
-                                 r.shear_stress, r.unbalanced, r.coordination, r.coordination_inner, r.largest_overlap);
+  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", r.time, r.stage,
+                                 r.step, r.time_step, r.strain.x, r.strain.y, r.strain.z, r.volumetric, r.porosity,
+                                 r.void_ratio(), r.stress.x, r.stress.y, r.stress.z, r.mean, r.deviator, r.shear_strain,
+                                 r.normal_stress, r.shear_stress, r.unbalanced, r.coordination, r.coordination_inner,
+                                 r.coordination_mechanical, r.rattlers, r.sliding, r.fabric_anisotropy, r.largest_overlap);
   for (int face = 0; face < 6; ++face)
     if (domain.is_wall(face)) {
       const Vec3& f = r.wall_force[to_size(face)];

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "puadem/dem/contacts.hpp"
+#include "puadem/dem/grain_stress.hpp"
 
 namespace puadem {
 
@@ -15,6 +16,15 @@ VtkPolyData grain_fields(const State& state) {
   VtkPolyData data;
   data.points = p.position;
   data.point_data = {{"radius", p.radius}, {"material", std::move(material)}};
+  if (!state.grains || !state.grains->is_evaluated) return data;
+  GrainStresses g = grain_stresses(*state.grains);
+  std::vector<double> speed(p.radius.size());
+  for (int k = 0; k < p.size(); ++k) speed[to_size(k)] = norm(p.velocity[to_size(k)]);
+  data.point_data.push_back({"speed", std::move(speed)});
+  data.point_data.push_back({"mean_stress", std::move(g.mean)});
+  data.point_data.push_back({"deviatoric_stress", std::move(g.deviatoric)});
+  data.point_data.push_back({"contacts", std::vector<std::int64_t>(g.contacts.begin(), g.contacts.end())});
+  data.point_data.push_back({"cell_volume", std::move(g.volume)});
   return data;
 }
 
