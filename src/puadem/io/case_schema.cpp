@@ -20,11 +20,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const Section<DomainOptions>& domain_section() {
   static const Section<DomainOptions> section = [] {
     Section<DomainOptions> s;
-    s.fields.push_back(
-        bind<DomainOptions>(noted(quantity("size", "m", above(0), between(1e-4, 1), R"(["12 mm", "12 mm", "12 mm"])",
-                                           "edge lengths x, y, z of the box; instead of shape"),
-                                  "from count, grading and porosity"),
-                            &DomainOptions::size));
+    s.fields.push_back(bind<DomainOptions>(
+        noted(quantity("size", "m", above(0), between(1e-4, 1), R"(["12 mm", "12 mm", "12 mm"])",
+                       "edge lengths x, y, z of the box of a packing file; a compaction takes their proportions only"),
+              "from count, grading and porosity"),
+        &DomainOptions::size));
     s.fields.push_back(bind<DomainOptions>(
         [] {
           KeyInfo info =

@@ -176,24 +176,24 @@ const Section<GrainOptions>& grains_section() {
                            &GrainOptions::count),
         bind<GrainOptions>(plain("material", "a name", "what the grains are made of: a table [materials.NAME]", R"("glass")"),
                            &GrainOptions::material),
+        bind_choice<GrainOptions>(
+            choice("cloud", {"uniform", "clumped"},
+                   "how the grains lie before they are compacted: one by one, or in clumps, which leave large pores and a "
+                   "loose, collapsible packing; clumps are no rigid bodies, their grains move freely"),
+            &GrainOptions::cloud),
+        bind<GrainOptions>(
+            number("clump_size", at_least(1), "mean number of grains in a clump of a clumped cloud", between(2, 1000)),
+            &GrainOptions::clump_size),
         bind_table<GrainOptions>(plain("grading", "a table", "sizes of the grains"), grading_section, &GrainOptions::grading),
+        bind_tables<GrainOptions>(plain("materials", "a list of tables", "a mixture, in place of material"), share_section,
+                                  &GrainOptions::materials),
     }};
-    s.fields.push_back(bind_tables<GrainOptions>(plain("materials", "a list of tables", "a mixture, in place of material"),
-                                                 share_section, &GrainOptions::materials));
-    s.fields.push_back(bind_choice<GrainOptions>(
-        choice("cloud", {"uniform", "clumped"},
-               "how the grains lie before they are compacted: one by one, or in clumps, which leave large pores and a loose, "
-               "collapsible packing; clumps are no rigid bodies, their grains move freely"),
-        &GrainOptions::cloud));
-    s.fields.push_back(bind<GrainOptions>(
-        number("clump_size", at_least(1), "mean number of grains in a clump of a clumped cloud", between(2, 1000)),
-        &GrainOptions::clump_size));
     auto& material = s.fields[2];
     material.write = [write = material.write](const GrainOptions& g) { return g.materials.empty() ? write(g) : std::string(); };
     // A packing file replaces count and grading.
     auto& count = s.fields[1];
     count.write = [write = count.write](const GrainOptions& g) { return g.file ? std::string() : write(g); };
-    auto& grading = s.fields[3];
+    auto& grading = s.fields[5];
     grading.write_tables = [write = grading.write_tables](const std::string& path, const GrainOptions& g) {
       return g.file || !g.grading.is_given() ? std::string() : write(path, g);
     };
