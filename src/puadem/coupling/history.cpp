@@ -65,9 +65,8 @@ HistoryRow history_row(const GrainSystem& s, const GrainMeasures& m, const Histo
 }
 
 void complete_row(const GrainSystem& s, const HistoryStart& start, HistoryRow& row) {
-  guard_energy(s, start.energies);
   const auto unexplained = [](const Energies& e) { return e.stored() + e.taken() - e.input; };
-  row.energy = energies(s);
+  row.energy = guard_energy(s, start.energies);
   row.energy_residual = unexplained(row.energy) - unexplained(start.energies);
   const FabricMeasures fabric = measure_fabric(s);
   row.coordination_mechanical = fabric.coordination_mechanical;

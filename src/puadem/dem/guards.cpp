@@ -62,12 +62,12 @@ void guard_grains(const GrainSystem& s, const GuardLimits& limits) {
   }
 }
 
-void guard_energy(const GrainSystem& s, const Energies& start, const GuardLimits& limits) {
+Energies guard_energy(const GrainSystem& s, const Energies& start, const GuardLimits& limits) {
   const Energies now = energies(s);
   const double input = now.input - start.input, taken = now.taken() - start.taken();
   const double surplus = now.stored() - start.stored() + taken - input;
   const double scale = std::max({now.stored(), start.stored(), std::abs(input), std::abs(taken)});
-  if (surplus <= limits.energy * scale) return;
+  if (surplus <= limits.energy * scale) return now;
   const auto kinetic = [&](int k) {
     const GrainRecord& r = s.record[to_size(k)];
     return mass_of(r) * squared_norm(vec3(r.drift)) + inertia_of(r) * squared_norm(vec3(r.spin));

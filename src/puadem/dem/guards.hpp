@@ -21,7 +21,8 @@ void guard_grains(const GrainSystem& system, const GuardLimits& limits = {});
 /// makes it; names the grain that moves most.
 /// @param start  energies when the book was opened
 /// @pre the energy book is kept, the forces are those of the present places
+/// @return the energies now
 /// @throws NumericalError
-void guard_energy(const GrainSystem& system, const Energies& start, const GuardLimits& limits = {});
+Energies guard_energy(const GrainSystem& system, const Energies& start, const GuardLimits& limits = {});
 
 }  // namespace puadem

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "puadem/base/compensated_sum.hpp"
 #include "puadem/coupling/loading_program.hpp"
 #include "puadem/io/manifest.hpp"
 
@@ -17,23 +18,9 @@ constexpr double energy_tolerance = 1e-3;   // of the work put in
 constexpr double overlap_tolerance = 0.05;  // of the smaller radius: contacts far apart do not feel each other
 constexpr double grading_tolerance = 0.01;  // largest error of the share of a class
 
-/// Neumaier sum: the terms are many and the tolerance is close to rounding.
-class Sum {
- public:
-  void add(double term) {
-    const double next = total_ + term;
-    lost_ += std::abs(total_) >= std::abs(term) ? (total_ - next) + term : (term - next) + total_;
-    total_ = next;
-  }
-  double value() const { return total_ + lost_; }
-
- private:
-  double total_ = 0.0, lost_ = 0.0;
-};
-
 /// (pores + grains - box) / box.
 double volume_defect(const State& state) {
-  Sum sum;
+  CompensatedSum sum;
   for (const double v : state.network.pore_volume) sum.add(v);
   for (const double r : state.particles.radius) sum.add(4.0 / 3.0 * std::numbers::pi * r * r * r);
   sum.add(-state.domain.volume());
