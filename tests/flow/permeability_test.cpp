@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "puadem/base/parallel.hpp"
 #include "puadem/network/pore_units.hpp"
-#include "support/packings.hpp"
+#include "support/lattice_facts.hpp"
+#include "support/rotated_packing.hpp"
 
 using namespace puadem;
 using namespace puadem::testing;
@@ -42,26 +42,25 @@ Spheres turned(Spheres s) {
 
 }  // namespace
 
-// Lattices of touching spheres of radius 1: k = sum over the throats of a cell in closed form (theory 3.9).
-TEST(Permeability, SimpleCubic) {
-  // One pore a cube, joined to the next over the two halves of a square window: k = 2 g / (2 R).
-  const double window = 2.0 - 0.5 * std::numbers::pi, space = 4.0 / 3.0 - 2.0 * std::numbers::pi / 9.0,
-               solid = 2.0 * std::numbers::pi / 3.0;
-  const double closed_form = 2.0 * 0.5 * window * std::pow(space / solid, 2) / 2.0 / 2.0;
-  EXPECT_NEAR(closed_form, 0.009869824, 0.6e-9);
-  for (int cells = 1; cells <= 3; ++cells) expect_isotropic(permeability_of(simple_cubic(1.0, cells)), closed_form, 1e-9);
+TEST(Permeability, OfLatticesOfTouchingSpheres) {
+  for (const LatticeFacts& lattice : lattice_facts())
+    for (int cells = 1; cells <= 2; ++cells) {
+      SCOPED_TRACE(lattice.name);
+      const Permeability k = permeability_of(lattice.make(cells));
+      expect_isotropic(k, lattice.permeability(), 1e-9);
+      EXPECT_LT(k.imbalance, 1e-12);
+    }
 }
 
-TEST(Permeability, BodyCentredCubic) {
-  for (int cells = 1; cells <= 2; ++cells) {
-    const Permeability k = permeability_of(body_centred(1.0, cells));
-    expect_isotropic(k, 0.002050798, 1e-6);
-    EXPECT_LT(k.imbalance, 1e-12);
+// Stokes flow in the same lattices: what the scheme is off by, 2 % low, 2 % high and 8 % low.
+TEST(Permeability, LiesNearExactStokesFlowInLattices) {
+  constexpr std::array<std::array<double, 2>, 3> bounds{{{0.97, 0.99}, {1.01, 1.03}, {0.91, 0.93}}};
+  for (std::size_t k = 0; k < bounds.size(); ++k) {
+    const LatticeFacts lattice = lattice_facts()[k];
+    const double ratio = permeability_of(lattice.make(1)).mean() / lattice.stokes_permeability();
+    EXPECT_GT(ratio, bounds[k][0]) << lattice.name;
+    EXPECT_LT(ratio, bounds[k][1]) << lattice.name;
   }
-}
-
-TEST(Permeability, FaceCentredCubic) {
-  for (int cells = 1; cells <= 2; ++cells) expect_isotropic(permeability_of(face_centred(1.0, cells)), 6.353184e-4, 1e-6);
 }
 
 TEST(Permeability, WallsWithSlipAreMirrorPlanes) {
@@ -97,6 +96,21 @@ TEST(Permeability, TurnsWithThePacking) {
     for (int b = 0; b < 3; ++b) EXPECT_NEAR(t.tensor[to_size(to(a))][to(b)], k.tensor[to_size(a)][b], 1e-8 * k.mean());
 }
 
+TEST(Permeability, TurnsWithThePackingByAnyAngle) {
+  for (const bool walls : {false, true}) {
+    const Spheres s = random_spheres(40, 2.0, {1.0, 1.0, 1.3}, {true, true, !walls}, 31, 0.35);
+    const Permeability k = permeability_of(s), t = permeability_of(rotated_packing(s));
+    // k' = Q k Q^T, a column at a time: k maps a gradient to a flux.
+    const auto flux = [](const Permeability& of, const Vec3& gradient) {
+      return Vec3{dot(of.tensor[0], gradient), dot(of.tensor[1], gradient), dot(of.tensor[2], gradient)};
+    };
+    for (const Vec3& gradient : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+      const Vec3 got = flux(t, rotated(gradient)), expected = rotated(flux(k, gradient));
+      EXPECT_LT(norm(got - expected), 1e-9 * k.mean()) << gradient.x << gradient.y << gradient.z;
+    }
+  }
+}
+
 TEST(Permeability, ScalesWithTheSquareOfLengths) {
   const Spheres s = random_spheres(100, 2.0, {1, 1, 1}, {true, true, false}, 5, 0.3);
   Spheres small = s;
@@ -108,21 +122,64 @@ TEST(Permeability, ScalesWithTheSquareOfLengths) {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(m.tensor[to_size(a)][a] / (scale * scale), k.tensor[to_size(a)][a], 1e-8 * k.mean());
 }
 
-TEST(Permeability, ARandomPackingIsIsotropicWithinItsNoise) {
+TEST(Permeability, RandomPackingsAreIsotropicWithinTheirNoise) {
+  // Each packing alone is anisotropic by a few percent. Over many, the means of k_aa / k - 1 and k_ab / k must not lie
+  // farther from zero than chance puts them.
+  constexpr int packings = 24;
+  std::array<double, 9> sum{}, squares{};
+  for (int n = 0; n < packings; ++n) {
+    const Permeability k =
+        permeability_of(random_spheres(150, 1.5, {1, 1, 1}, {true, true, true}, static_cast<std::uint64_t>(n + 1), 0.35));
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) {
+        const double x = k.tensor[to_size(a)][b] / k.mean() - (a == b ? 1.0 : 0.0);
+        sum[to_size(3 * a + b)] += x;
+        squares[to_size(3 * a + b)] += x * x;
+      }
+  }
+  for (std::size_t c = 0; c < sum.size(); ++c) {
+    const double mean = sum[c] / packings, spread = std::sqrt(squares[c] / packings - mean * mean);
+    EXPECT_GT(spread, 0.005) << c;
+    EXPECT_LT(spread, 0.1) << c;
+    EXPECT_LT(std::abs(mean), 3.5 * spread / std::sqrt(double(packings))) << c;
+  }
+}
+
+TEST(Permeability, IsNearKozenyAndCarman) {
   const Spheres s = random_spheres(1000, 1.5, {1, 1, 1}, {true, true, true}, 21, 0.35);
-  const Permeability k = permeability_of(s);
   double r2 = 0.0, r3 = 0.0;
   for (const double r : s.radius) {
     r2 += r * r;
     r3 += r * r * r;
   }
-  const double reference = kozeny_carman(0.65, r3 / r2);
-  for (int a = 0; a < 3; ++a) {
-    EXPECT_NEAR(k.tensor[to_size(a)][a] / k.mean(), 1.0, 0.1);
-    EXPECT_NEAR(k.tensor[to_size(a)][(a + 1) % 3] / k.mean(), 0.0, 0.1);
+  const double ratio = permeability_of(s).mean() / kozeny_carman(0.65, r3 / r2);
+  EXPECT_GT(ratio, 0.5);  // which is meant for dense beds
+  EXPECT_LT(ratio, 3.0);
+}
+
+TEST(Permeability, TheSameFluidPassesEverySection) {
+  const Spheres s = random_spheres(400, 2.0, {1, 1, 2}, {true, true, false}, 14, 0.35);
+  const PoreNetwork network = network_of(s);
+  SinglePhaseProblem problem;
+  problem.faces[4] = {FaceCondition::Kind::pressure, 1e5};
+  problem.faces[5] = {FaceCondition::Kind::pressure, 0.0};
+  SinglePhaseMemory memory;
+  const SinglePhaseFlow flow = solve_single_phase(network, s.domain, problem, memory);
+  const double through = flow.face_inflow[4];
+  EXPECT_NEAR(flow.face_inflow[5], -through, 1e-10 * through);
+  for (double height = 0.5; height < 1.6; height += 0.1) {
+    // Halves of one pore share its flow, so a pore is above or below as a whole.
+    std::vector<char> is_above(to_size(memory.graph.nodes()));
+    for (int n = 0; n < memory.graph.nodes(); ++n)
+      is_above[to_size(n)] = network.pore_centre[to_size(memory.graph.node_pore[to_size(n)])].z > height;
+    double sum = 0.0;
+    for (int t = 0; t < network.throats(); ++t) {
+      const auto [i, j] = network.throat_pores[to_size(t)];
+      sum += flow.throat_flow[to_size(t)] *
+             (is_above[to_size(memory.graph.pore_node[to_size(j)])] - is_above[to_size(memory.graph.pore_node[to_size(i)])]);
+    }
+    EXPECT_NEAR(sum, through, 1e-10 * through) << height;
   }
-  EXPECT_GT(k.mean(), 0.5 * reference);  // which is meant for dense beds
-  EXPECT_LT(k.mean(), 3.0 * reference);
 }
 
 TEST(Permeability, SameBitsOnAnyNumberOfThreads) {

@@ -107,6 +107,27 @@ RC_GTEST_PROP(AnyPacking, OneLayer, ()) {
   expect_sound_or_refused(s);
 }
 
+RC_GTEST_PROP(AnyPacking, GrainsAtTheWalls, ()) {
+  // Grains that touch one wall, two or three, exactly: sites of one plane with the wall, and of one line with an edge.
+  Spheres s = random_spheres(*rc::gen::inRange(1, 40), *rc::gen::element(1.0, 3.0, 20.0), {1, 1, 1}, {false, false, false},
+                             any_seed(), 0.05);
+  const Spheres loose = s;
+  s.centre.clear();
+  s.radius.clear();
+  for (std::size_t i = 0; i < loose.centre.size(); ++i) {
+    Vec3 c = loose.centre[i];
+    const double r = loose.radius[i];
+    for (int axis = 0; axis < 3; ++axis)
+      if (const int to = *rc::gen::inRange(0, 4); to < 2) c[axis] = to == 0 ? r : 1.0 - r;
+    bool is_free = true;
+    for (std::size_t k = 0; k < s.centre.size(); ++k) is_free = is_free && norm(c - s.centre[k]) > r + s.radius[k];
+    if (!is_free) continue;
+    s.centre.push_back(c);
+    s.radius.push_back(r);
+  }
+  expect_sound_or_refused(s);
+}
+
 RC_GTEST_PROP(AnyPacking, Overlapping, ()) {
   Spheres s = random_spheres(*rc::gen::inRange(6, 60), 2.0, {1, 1, 1}, any_boundary(), any_seed(), 0.1);
   const double growth = *rc::gen::element(1.2, 1.5, 2.0, 3.5);

@@ -23,9 +23,9 @@ struct Problem {
   std::vector<int> cell_faces;
 };
 
-/// The merging problem of a random packing in walls.
-Problem problem_of(int count, std::uint64_t seed) {
-  const Spheres s = random_spheres(count, 2.0, {1, 1, 1}, {false, false, false}, seed, 0.3);
+/// The merging problem of a random packing.
+Problem problem_of(int count, std::uint64_t seed, std::array<bool, 3> periodic = {false, false, false}) {
+  const Spheres s = random_spheres(count, 2.0, {1, 1, 1}, periodic, seed, 0.3);
   const PoreNetwork n = build_pore_network(s.centre, s.radius, s.domain, {MayerStowePrincen{}, 0.0, 1e300, 20});
   Problem p;
   p.cells = n.triangulation.cells();
@@ -39,7 +39,7 @@ Problem problem_of(int count, std::uint64_t seed) {
 }
 
 /// The same rule, straight from its words: in each round look at every facet of every unit, merge all
-/// pairs whose worst facet is the worst of both, until there is none.
+/// pairs whose worst facet is the worst of both, until there is none. For units that do not reach their own images.
 std::vector<int> brute_force(const Problem& p, const MergeOptions& options) {
   std::vector<int> unit(static_cast<std::size_t>(p.cells));
   std::iota(unit.begin(), unit.end(), 0);
@@ -53,12 +53,12 @@ std::vector<int> brute_force(const Problem& p, const MergeOptions& options) {
     }
     for (const Facet& f : p.facets)
       if (unit[to_size(f.cell)] == unit[to_size(f.neighbour)]) faces[unit[to_size(f.cell)]] -= 2;
-    const auto radius = [&](int u) { return inscribed_radius_coefficient(faces[u]) * std::cbrt(volume[u]); };
+    const auto radius = [&](int u) { return inscribed_radius_coefficient(faces[u], options.shape) * std::cbrt(volume[u]); };
     std::map<int, std::pair<float, int>> worst;  // unit -> ratio, facet; larger areas win ties
     for (int f = 0; f < size_of(p.facets); ++f) {
       const int a = unit[to_size(p.facets[to_size(f)].cell)], b = unit[to_size(p.facets[to_size(f)].neighbour)];
       if (a == b || cells[a] + cells[b] > options.limit) continue;
-      const double exact = p.wide[to_size(f)] / std::min(radius(a), radius(b));
+      const double exact = options.rank.empty() ? p.wide[to_size(f)] / std::min(radius(a), radius(b)) : options.rank[to_size(f)];
       if (exact <= options.ratio) continue;
       const auto ratio = static_cast<float>(exact);
       for (const int u : {a, b})
@@ -101,6 +101,21 @@ TEST(Merging, EqualsBruteForce) {
       EXPECT_LT(fast.units, p.cells);
     }
   }
+}
+
+TEST(Merging, EqualsBruteForceByVerticesByRankAndInPeriodicBoxes) {
+  for (const std::array<bool, 3>& periodic : {std::array{false, false, false}, {true, true, true}})
+    for (std::uint64_t seed = 11; seed <= 12; ++seed) {
+      const Problem p = problem_of(80, seed, periodic);
+      std::vector<double> rank = p.area;  // any number a facet has
+      for (double& r : rank) r = r / p.area[0] - 1.0;
+      for (const MergeOptions& options :
+           {MergeOptions{0.8, 20, PoreShape::vertices, {}}, MergeOptions{0.0, 12, PoreShape::faces, rank}}) {
+        const MergedCells fast = merge_cells(p.cells, p.facets, p.cell_void, p.cell_faces, p.wide, p.area, options);
+        EXPECT_TRUE(same_partition(fast.unit, brute_force(p, options))) << "seed " << seed;
+        EXPECT_LT(fast.units, p.cells);
+      }
+    }
 }
 
 TEST(Merging, LeavesNoThroatWiderThanAllowedUnlessTheUnitIsFull) {
