@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cassert>
 
 #include "support/packings.hpp"
 
@@ -11,8 +11,9 @@ inline Vec3 rotated(const Vec3& v) { return {0.8 * v.x - 0.6 * v.y, 0.6 * v.x + 
 
 /// The same packing in a box turned about z: five periods along the turned axes are (4, 3) and (-3, 4) periods of the
 /// packing, so that 25 images fill a box that is periodic again.
-/// @pre periodic along x and y, with one period
+/// @pre periodic along x and y, with one period, from the origin
 inline Spheres rotated_packing(const Spheres& s) {
+  assert(s.domain.upper.x == s.domain.upper.y);
   const double period = s.domain.upper.x;
   Spheres turned;
   turned.domain = s.domain;

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 
 #include "puadem/dem/motion.hpp"
 #include "verification/chung_ooi.hpp"
 #include "verification/gas.hpp"
+#include "verification/program/csv.hpp"
 #include "verification/triaxial.hpp"
 
 using namespace puadem;
@@ -22,18 +21,6 @@ constexpr int steps = 2000;
 constexpr auto linear = ContactOptions::Law::linear_spring, hertz = ContactOptions::Law::hertz_mindlin;
 
 const char* name_of(ContactOptions::Law law) { return law == linear ? "linear" : "Hertz"; }
-
-/// A CSV file of the results folder.
-struct Csv {
-  std::ofstream file;
-  Csv(const std::filesystem::path& path, const char* header) : file(path) { file << header << '\n'; }
-  template <class... Cells>
-  void row(const Cells&... cells) {
-    std::string line;
-    ((line += fmt::format("{}{}", line.empty() ? "" : ",", cells)), ...);
-    file << line << '\n';
-  }
-};
 
 /// The table: what was asked, the exact answer, ours.
 struct Table {
