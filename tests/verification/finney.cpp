@@ -32,16 +32,17 @@ double excess(const ThroatSection& section, double r) {
   return length - area / r;
 }
 
-double entry_with_fitting_menisci(const ThroatSection& section) {
-  constexpr int steps = 400;  // the excess jumps where an arc begins to fit: look from the widest radius down
-  double last = section.inscribed_radius;
-  for (int k = 1; k < steps && last > 0.0; ++k) {
-    double r = section.inscribed_radius * (1.0 - static_cast<double>(k) / steps);
-    if (excess(section, r) > 0.0) {
+/// @param widest  half the widest gap: above it all arcs fit and the front is not in balance
+double entry_with_fitting_menisci(const ThroatSection& section, double widest) {
+  double last = widest;
+  while (last > 0.0) {  // the excess jumps where an arc ceases to fit: look step by step
+    double r = last - 0.01 * section.inscribed_radius;
+    if (r > 0.0 && excess(section, r) > 0.0) {
       last = r;
       continue;
     }
-    for (int n = 0; n < 40; ++n) {
+    r = std::max(r, 0.0);
+    for (int n = 0; n < 30; ++n) {
       const double middle = 0.5 * (r + last);
       (excess(section, middle) > 0.0 ? last : r) = middle;
     }
@@ -55,9 +56,9 @@ double entry_with_fitting_menisci(const ThroatSection& section) {
 void enter_with_fitting_menisci(const FinneyPacking& packing, PoreNetwork& network) {
   const PackingSites sites_of(packing.centre, packing.radius, packing.box);
   parallel_for(network.throats(), [&](int t) {
-    if (network.throat_at_wall[to_size(t)]) return;
-    const ThroatSection section = throat_section(sites_of(network.throat_particles[to_size(t)]));
-    network.throat_entry_radius[to_size(t)] = entry_with_fitting_menisci(section);
+    double& radius = network.throat_entry_radius[to_size(t)];
+    if (network.throat_entry_kind[to_size(t)] != EntryKind::half_gap || radius == 0.0) return;
+    radius = entry_with_fitting_menisci(throat_section(sites_of(network.throat_particles[to_size(t)])), radius);
   });
 }
 

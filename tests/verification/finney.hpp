@@ -44,8 +44,8 @@ FinneyHeap finney_heap(const FinneyPacking& packing, const NetworkOptions& optio
 /// Saturation of the core at rising capillary pressures [gamma / radius of a ball].
 std::vector<double> drain_heap(const FinneyHeap& heap, const InvasionOptions& options, const std::vector<double>& pressures);
 
-/// Sets the entry radius of each throat between balls to the largest r at which a front is in balance with arcs in those
-/// corners alone that an arc of radius r fits in (2 r wider than the gap); our own law stops at half the widest gap.
+/// Where no front is in balance with arcs in all corners, our own law takes half the widest gap. This puts in its place
+/// the largest r at which a front is in balance with arcs in those corners alone that an arc of radius r fits in.
 void enter_with_fitting_menisci(const FinneyPacking& packing, PoreNetwork& network);
 
 /// Conventions of plain invasion percolation: no trapping, an entered unit is empty, its throat alone resists.
