@@ -6,13 +6,23 @@
 
 namespace puadem {
 
-double Schedule::at(double t) const {
-  const auto after = std::ranges::upper_bound(time, t);
-  if (after == time.begin()) return value.front();
-  if (after == time.end()) return value.back();
-  const auto k = static_cast<std::size_t>(after - time.begin());
-  return std::lerp(value[k - 1], value[k], (t - time[k - 1]) / (time[k] - time[k - 1]));
+namespace {
+
+using Point = std::vector<double>::const_iterator;
+
+double value_before(const Schedule& schedule, Point next, double t) {
+  if (next == schedule.time.begin()) return schedule.value.front();
+  if (next == schedule.time.end()) return schedule.value.back();
+  const auto k = static_cast<std::size_t>(next - schedule.time.begin());
+  return std::lerp(schedule.value[k - 1], schedule.value[k],
+                   (t - schedule.time[k - 1]) / (schedule.time[k] - schedule.time[k - 1]));
 }
+
+}  // namespace
+
+double Schedule::at(double t) const { return value_before(*this, std::ranges::upper_bound(time, t), t); }
+
+double Schedule::just_before(double t) const { return value_before(*this, std::ranges::lower_bound(time, t), t); }
 
 double Schedule::next_corner(double t) const {
   const auto after = std::ranges::upper_bound(time, t);

@@ -18,6 +18,7 @@ struct Schedule {
   std::vector<double> value;  ///< as many
 
   double at(double t) const;
+  double just_before(double t) const;  ///< the same but at jumps
   /// First time after `t` at which the line bends or jumps; infinite where none is left.
   double next_corner(double t) const;
 

@@ -68,6 +68,7 @@ struct TwoPhaseModel {
   Fluids fluids;
   TwoPhaseOptions options;
   std::vector<FlowBoundary> boundaries;
+  std::vector<Vec3> boundary_place;        ///< per boundary: mean of its pores' centres, where its pressure holds [m]
   std::vector<int> pore_boundary;          ///< per pore: its boundary, or -1
   std::vector<std::uint8_t> is_reservoir;  ///< per pore: full of a reservoir's fluid, not counted
   double void_volume = 0.0;                ///< of the counted pores [m3]

@@ -1,0 +1,242 @@
+#include "puadem/flow/two_phase_flow.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "puadem/base/error.hpp"
+#include "puadem/flow/two_phase_events.hpp"
+#include "puadem/flow/two_phase_step.hpp"
+#include "puadem/flow/two_phase_system.hpp"
+
+namespace puadem {
+
+namespace {
+
+/// A step this short, over the time scale, means that the run has come to a stand.
+constexpr double shortest_step = 1e-12;
+
+bool gives_pressure(const FlowBoundary& boundary) { return boundary.kind == FlowBoundary::Kind::pressure; }
+
+/// Saturation change of a step, averaged over the pores by the volume each exchanged, and the largest of all.
+struct StepChange {
+  double mean = 0.0, largest = 0.0;
+};
+StepChange change_of(const TwoPhaseModel& model, std::span<const double> volume, const TwoPhaseTrial& trial,
+                     const TwoPhaseState& state) {
+  StepChange change;
+  double squares = 0.0, moved = 0.0;
+  for (int i = 0; i < size_of(volume); ++i) {
+    const std::size_t p = to_size(i);
+    if (!model.is_counted(i) || trial.filling[p] == PoreFilling::saturated) continue;
+    const double water = std::abs(trial.wetting_volume[p] - state.wetting_volume[p]);
+    change.largest = std::max(change.largest, water / volume[p]);
+    squares += water * water / volume[p];
+    moved += water;
+  }
+  if (moved > 0.0) change.mean = squares / moved;
+  return change;
+}
+
+/// Books what crossed the boundaries and takes the trial's volumes and pressures over.
+void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step, std::span<const double> old_volume,
+            std::span<const double> volume, const BoundaryValues& values, const TwoPhaseTrial& trial, TwoPhaseState& state) {
+  const bool one_pressure = model.options.gas == GasKind::connected;
+  const auto gas_gain = [&](int i) {
+    const std::size_t p = to_size(i);
+    return (volume[p] - old_volume[p]) - (trial.wetting_volume[p] - state.wetting_volume[p]);
+  };
+  for (int b = 0; b < size_of(model.boundaries); ++b) {
+    const FlowBoundary& boundary = model.boundaries[to_size(b)];
+    const bool is_gas = boundary.fluid == FluidPhase::nonwetting;
+    CompensatedSum in;
+    for (const int i : boundary.pores) {
+      in.add(step * (is_gas ? trial.nonwetting_outflow : trial.wetting_outflow)[to_size(i)]);
+      if (is_gas && !one_pressure && model.is_counted(i)) in.add(gas_gain(i));
+    }
+    if (is_gas && one_pressure)
+      for (int i = 0; i < network.pores(); ++i)
+        if (model.is_counted(i)) in.add(gas_gain(i));
+    const double volume_in = in.value();
+    state.boundary_inflow[to_size(b)][is_gas ? 1 : 0] += volume_in;
+    state.ledger.book(is_gas ? 0.0 : volume_in, is_gas ? volume_in : 0.0);
+    const int first = boundary.pores.front();
+    state.boundary_pressure[to_size(b)] = gives_pressure(boundary)
+                                              ? values[to_size(b)]
+                                              : (is_gas ? trial.nonwetting : trial.wetting)[to_size(first)] +
+                                                    hydrostatic(model, boundary.fluid, model.boundary_place[to_size(b)]);
+  }
+  for (int i = 0; i < network.pores(); ++i) {
+    const std::size_t p = to_size(i);
+    const bool gas = state.nonwetting.holds[p];
+    const double gas_pressure = trial.nonwetting[p] + hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[p]);
+    state.wetting_volume[p] = trial.wetting_volume[p];
+    state.nonwetting_pressure[p] = gas ? gas_pressure : 0.0;
+    state.wetting_pressure[p] = trial.wetting[p] + hydrostatic(model, FluidPhase::wetting, network.pore_centre[p]);
+    // An explicit step ends beside the local laws; the pressures go with the volumes.
+    if (model.options.scheme == TwoPhaseScheme::impes && trial.filling[p] == PoreFilling::mixed)
+      state.wetting_pressure[p] = gas_pressure - capillary_pressure(network, model, i, state);
+  }
+}
+
+/// Stepping of one call.
+struct Stepper {
+  const PoreNetwork& network;
+  const TwoPhaseModel& model;
+  TwoPhaseState& state;
+  const TwoPhaseCallbacks& callbacks;
+  double saturation_change;
+  TwoPhaseReport report;
+  std::vector<double> old_volume, volume;  ///< per pore, at the ends of the step [m3]
+  std::span<const double> volume_rate;
+
+  TwoPhaseTrial attempt(double step, const BoundaryValues& values) {
+    for (std::size_t p = 0; p < volume_rate.size(); ++p) volume[p] = old_volume[p] + step * volume_rate[p];
+    TwoPhaseTrial trial = try_two_phase_step(network, model, step, old_volume, volume, values, state);
+    report.solves += trial.solves;
+    report.seconds_assemble += trial.seconds_assemble;
+    report.seconds_solve += trial.seconds_solve;
+    return trial;
+  }
+
+  /// One accepted step of at most `longest`; @return its length. `values(step)` gives the boundaries at its end.
+  template <class Values>
+  double advance(double longest, const Values& values, long& events) {
+    double step = std::min(state.time_step, longest);
+    const double tried = step;
+    for (;;) {
+      const BoundaryValues at_end = values(step);
+      const TwoPhaseTrial trial = attempt(step, at_end);
+      const StepChange change = change_of(model, volume, trial, state);
+      const bool too_long = saturation_change < 1.0 && change.mean > 2.0 * saturation_change;
+      if (trial.converged && !too_long) {
+        accept(network, model, step, old_volume, volume, at_end, trial, state);
+        state.time += step;
+        ++state.steps;
+        ++report.steps;
+        report.largest_change = change.largest;
+        const auto begin = std::chrono::steady_clock::now();
+        events = carry_out_events(network, model, trial, state, callbacks);
+        report.seconds_events += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        report.events += events;
+        std::swap(old_volume, volume);
+        const double growth = model.options.steps.growth;
+        const double factor =
+            saturation_change < 1.0 && change.mean > 0.0 ? std::clamp(saturation_change / change.mean, 0.3, growth) : growth;
+        // A step cut short by the end of the call or a schedule says little of the next.
+        state.time_step = std::max(step * factor, step == tried && tried < state.time_step ? state.time_step : 0.0);
+        return step;
+      }
+      ++report.retries;
+      step *= trial.converged ? std::clamp(saturation_change / change.mean, 0.1, 0.6) : 0.25;
+      ensure(
+          step > shortest_step * model.time_scale,
+          "two-phase flow stands still at t = {:.6g} s (step {}): no step above {:.3g} s succeeds; pore {} misses its local law "
+          "by {:.2g} of its saturation",
+          state.time, state.steps, step, trial.worst_pore, trial.mismatch);
+    }
+  }
+
+  bool goes_on() {
+    if (report.steps >= model.options.steps.step_limit)
+      throw NumericalError(
+          fmt::format("two-phase flow has taken {} steps up to t = {:.6g} s, the limit (step_limit)", report.steps, state.time));
+    report.stopped = callbacks.on_step && !callbacks.on_step(state);
+    return !report.stopped;
+  }
+};
+
+Stepper make_stepper(const PoreNetwork& network, const TwoPhaseModel& model, TwoPhaseState& state,
+                     const TwoPhaseCallbacks& callbacks, double saturation_change) {
+  Stepper stepper{network, model, state, callbacks, saturation_change, {}, network.pore_volume, network.pore_volume, {}};
+  if (state.time_step <= 0.0) state.time_step = model.options.steps.saturation_change * model.time_scale;
+  return stepper;
+}
+
+}  // namespace
+
+TwoPhaseState start_two_phase(const PoreNetwork& network, const TwoPhaseModel& model) {
+  TwoPhaseState state;
+  const std::size_t pores = to_size(network.pores()), throats = to_size(network.throats());
+  state.wetting_volume = network.pore_volume;
+  state.nonwetting_pressure.assign(pores, 0.0);
+  state.gas_amount.assign(pores, 0.0);
+  state.nonwetting.holds.assign(pores, 0);
+  state.wetting.holds.assign(pores, 1);
+  state.wetting.reservoir = state.nonwetting.reservoir = state.nonwetting.holds;
+  state.nonwetting.passes.assign(throats, 0);
+  state.wetting.passes.assign(throats, 1);
+  double at_rest = 0.0;  // potential of the wetting fluid
+  for (int b = size_of(model.boundaries) - 1; b >= 0; --b) {
+    const FlowBoundary& boundary = model.boundaries[to_size(b)];
+    const double given = gives_pressure(boundary) ? boundary.schedule.at(0.0) : 0.0;
+    state.boundary_pressure.insert(state.boundary_pressure.begin(), given);
+    const bool is_gas = boundary.fluid == FluidPhase::nonwetting;
+    if (!is_gas) at_rest = given - hydrostatic(model, FluidPhase::wetting, model.boundary_place[to_size(b)]);
+    for (const int i : boundary.pores) {
+      const std::size_t p = to_size(i);
+      (is_gas ? state.nonwetting : state.wetting).reservoir[p] = 1;
+      if (!is_gas) continue;
+      state.nonwetting.holds[p] = 1;
+      state.nonwetting_pressure[p] = given;
+      state.wetting.holds[p] = model.is_counted(i);
+      state.wetting_volume[p] = network.pore_volume[p] * (1.0 - boundary.initial_gas_fraction.value_or(1.0));
+    }
+  }
+  for (int i = 0; i < network.pores(); ++i)
+    state.wetting_pressure.push_back(at_rest + hydrostatic(model, FluidPhase::wetting, network.pore_centre[to_size(i)]));
+  for (int t = 0; t < network.throats(); ++t) {
+    const auto [i, j] = network.throat_pores[to_size(t)];
+    const auto is_gas = [&](int p) { return !model.is_counted(p) && state.nonwetting.holds[to_size(p)]; };
+    state.nonwetting.passes[to_size(t)] = is_gas(i) && is_gas(j);
+    state.wetting.passes[to_size(t)] = !state.nonwetting.passes[to_size(t)];
+  }
+  connect_all(model.links, state.wetting);
+  connect_all(model.links, state.nonwetting);
+  state.boundary_inflow.resize(model.boundaries.size());
+  return state;
+}
+
+TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, double duration,
+                                 std::span<const double> volume_rate, TwoPhaseState& state, const TwoPhaseCallbacks& callbacks) {
+  require(std::isfinite(duration) && duration >= 0.0, "two-phase flow cannot be followed for {} s", duration);
+  require(volume_rate.empty() || size_of(volume_rate) == network.pores(), "{} volume rates are given for {} pores",
+          volume_rate.size(), network.pores());
+  Stepper stepper = make_stepper(network, model, state, callbacks, model.options.steps.saturation_change);
+  stepper.volume_rate = volume_rate;
+  const double end = state.time + duration;
+  while (state.time < end) {
+    double until = end;
+    for (const FlowBoundary& boundary : model.boundaries) until = std::min(until, boundary.schedule.next_corner(state.time));
+    const double before = state.time;
+    const auto values = [&](double step) {
+      BoundaryValues v;
+      for (const FlowBoundary& boundary : model.boundaries) v.push_back(boundary.schedule.just_before(before + step));
+      return v;
+    };
+    long events = 0;
+    const double longest = until - before;
+    if (stepper.advance(std::min(longest, model.options.steps.longest), values, events) == longest) state.time = until;
+    if (!stepper.goes_on()) break;
+  }
+  return stepper.report;
+}
+
+TwoPhaseReport equilibrate_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, const RestCriterion& rest,
+                                     TwoPhaseState& state, const TwoPhaseCallbacks& callbacks) {
+  Stepper stepper = make_stepper(network, model, state, callbacks, 1.0);
+  BoundaryValues now;
+  for (const FlowBoundary& boundary : model.boundaries) now.push_back(boundary.schedule.at(state.time));
+  const double longest = rest.duration * model.time_scale;
+  state.time_step = std::max(state.time_step, model.time_scale);
+  for (;;) {
+    long events = 0;
+    const double step = stepper.advance(
+        longest, [&](double) { return now; }, events);
+    if (!stepper.goes_on()) break;
+    if (events == 0 && step >= longest && stepper.report.largest_change < rest.saturation_change) break;
+  }
+  return stepper.report;
+}
+
+}  // namespace puadem

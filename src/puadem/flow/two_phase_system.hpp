@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "puadem/flow/pressure_system.hpp"
+#include "puadem/flow/two_phase_flow.hpp"
+
+namespace puadem {
+
+/// Unknowns of the two-phase pressures and the links between them: the pore network twice, once for each fluid,
+/// and in each pore a capacitor from one to the other (theory 6.3). All throats and capacitors have their place
+/// in the pattern, whether a fluid is there at the time or not.
+struct TwoPhaseModel::Solver {
+  std::vector<int> wetting, nonwetting;            ///< per pore: unknown, or -1 where there is none
+  std::vector<int> wetting_link, nonwetting_link;  ///< per throat: link, or -1
+  std::vector<int> capacitor;                      ///< per pore: link, or -1
+  std::vector<std::array<int, 2>> link;
+  std::vector<double> conductance, diagonal, residual, increment;  ///< numbers of one solve
+  int unknowns = 0;
+  std::optional<PressureSystem> system;
+};
+
+/// Sets the pattern up for a model whose boundaries and reservoirs are known.
+std::shared_ptr<TwoPhaseModel::Solver> make_two_phase_solver(const PoreNetwork& network, const TwoPhaseModel& model);
+
+/// Conductances of all throats for both fluids, by where gas is and at what capillary pressure (theory 6.2).
+struct TwoPhaseConductances {
+  std::vector<double> wetting, nonwetting;  ///< per throat [m3/(Pa s)]
+};
+TwoPhaseConductances two_phase_conductances(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state);
+
+/// Net flow of a fluid out of each pore, from potentials (pressures less their hydrostatic part) [m3/s].
+void net_outflow(const PoreNetwork& network, std::span<const double> conductance, std::span<const double> potential,
+                 std::span<double> outflow);
+
+/// Local law of a pore: capillary pressure [Pa] at a saturation in [0, 1], continued through the part where the law has
+/// none (theory 6.1), and its slope dp_c/dS [Pa], below 0.
+double local_pressure(const TwoPhaseModel& model, int pore, double saturation);
+double local_slope(const TwoPhaseModel& model, int pore, double saturation);
+
+/// Hydrostatic part of a pressure, rho g . x [Pa].
+inline double hydrostatic(const TwoPhaseModel& model, FluidPhase fluid, const Vec3& place) {
+  const Fluid& f = fluid == FluidPhase::wetting ? model.fluids.wetting : model.fluids.nonwetting;
+  return f.density * dot(model.options.gravity, place);
+}
+
+}  // namespace puadem
