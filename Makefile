@@ -6,7 +6,7 @@ puadem := build/release/puadem
 .PHONY: demo test bench validate build format clean
 
 build: build/release/build.ninja
-	@cmake --build build/release --parallel $(jobs)
+	@cmake --build build/release --parallel $(jobs) --target puadem
 
 build/release/build.ninja: CMakeLists.txt CMakePresets.json
 	@tools/install_dependencies

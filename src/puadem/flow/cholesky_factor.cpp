@@ -17,7 +17,7 @@ struct CholeskyFactor::Parts {
 
   Parts() {
     cholmod_l_start(&common);
-    common.print = 0;  // errors are ours to report
+    common.print = 0;     // errors are ours to report
     common.final_ll = 1;  // a factor with square roots: no negative pivot passes
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_METIS;  // nested dissection: these networks fill space

@@ -214,6 +214,9 @@ class Solve {
     memory_.system->set(link_conductance, diagonal);
     memory_.conductance.assign(conductance_.begin(), conductance_.end());
     memory_.diagonal = std::move(diagonal);
+    std::vector<char> is_root(to_size(graph().nodes()));
+    for (std::size_t n = 0; n < is_root.size(); ++n) is_root[n] = memory_.unknown[n] < 0;
+    memory_.tree = make_flow_tree(graph(), conductance_, is_root);
   }
 
   /// Viscosity times the volume a pore takes in per pressure and time [m3].
@@ -256,18 +259,12 @@ class Solve {
   }
 
   void find_flows(const std::vector<double>& pressure) {
-    std::vector<double> net(pressure.size(), 0.0), through(pressure.size(), 0.0);
     flow_.throat_flow.assign(to_size(network_.throats()), 0.0);
     for (int k = 0; k < graph().links(); ++k) {
       const auto [a, b] = graph().link[to_size(k)];
       const int t = graph().link_throat[to_size(k)];
       const double drop = pressure[to_size(a)] - pressure[to_size(b)] - jump(k);
-      const double q = conductance_[to_size(t)] / problem_.viscosity * drop;
-      flow_.throat_flow[to_size(t)] = q;
-      net[to_size(a)] += q;
-      net[to_size(b)] -= q;
-      through[to_size(a)] += 0.5 * std::abs(q);
-      through[to_size(b)] += 0.5 * std::abs(q);
+      flow_.throat_flow[to_size(t)] = conductance_[to_size(t)] / problem_.viscosity * drop;
     }
     flow_.pressure.resize(to_size(network_.pores()));
     for (int p = 0; p < network_.pores(); ++p) {
@@ -275,23 +272,56 @@ class Solve {
       const auto& s = graph().pore_shift[to_size(p)];
       flow_.pressure[to_size(p)] = reference_ + pressure[to_size(n)] -
                                    dot(problem_.pressure_gradient, Vec3{s[0] * period_.x, s[1] * period_.y, s[2] * period_.z});
-      if (problem_.compressibility)
-        net[to_size(n)] += storage(p) / problem_.viscosity *
-                           (pressure[to_size(n)] + reference_ - problem_.compressibility->pressure_before[to_size(p)]);
     }
-    for (std::size_t n = 0; n < net.size(); ++n) net[n] -= source_[n];
-    balance_faces(net, through);
+    balance(pressure);
   }
 
-  /// What leaves a pore of given pressure has come in through its face; elsewhere it is an error of the solve.
-  void balance_faces(const std::vector<double>& net, const std::vector<double>& through) {
-    flow_.face_inflow = {};
-    double largest = 0.0, worst = 0.0;
-    for (std::size_t n = 0; n < net.size(); ++n) {
-      largest = std::max(largest, through[n]);
-      if (!prescribed_[n]) worst = std::max(worst, std::abs(net[n]));
+  /// Carries what rounding and tolerance leave in the pores to where pressures are given.
+  void balance(const std::vector<double>& pressure) {
+    NodeFlows flows = sum_at_nodes(pressure);
+    flow_.carried = flows.imbalance;
+    carry_excess(graph(), memory_.tree, flows.net, flow_.throat_flow);
+    flows = sum_at_nodes(pressure);
+    flow_.imbalance = flows.imbalance;
+    balance_faces(flows.net);
+  }
+
+  struct NodeFlows {
+    std::vector<double> net;  // out less in, storage and sources included [m3/s]
+    double imbalance = 0.0;   // largest of them where no pressure is given, over the largest flow through a node
+  };
+
+  NodeFlows sum_at_nodes(const std::vector<double>& pressure) {
+    NodeFlows flows;
+    flows.net.assign(pressure.size(), 0.0);
+    std::vector<double> through(pressure.size(), 0.0);
+    for (int k = 0; k < graph().links(); ++k) {
+      const auto [a, b] = graph().link[to_size(k)];
+      const double q = flow_.throat_flow[to_size(graph().link_throat[to_size(k)])];
+      flows.net[to_size(a)] += q;
+      flows.net[to_size(b)] -= q;
+      through[to_size(a)] += 0.5 * std::abs(q);
+      through[to_size(b)] += 0.5 * std::abs(q);
     }
-    flow_.imbalance = largest > 0.0 ? worst / largest : 0.0;
+    if (problem_.compressibility)
+      for (int p = 0; p < network_.pores(); ++p) {
+        const auto n = to_size(graph().pore_node[to_size(p)]);
+        flows.net[n] +=
+            storage(p) / problem_.viscosity * (pressure[n] + reference_ - problem_.compressibility->pressure_before[to_size(p)]);
+      }
+    double largest = 0.0, worst = 0.0;
+    for (std::size_t n = 0; n < flows.net.size(); ++n) {
+      flows.net[n] -= source_[n];
+      largest = std::max(largest, through[n]);
+      if (!prescribed_[n]) worst = std::max(worst, std::abs(flows.net[n]));
+    }
+    flows.imbalance = largest > 0.0 ? worst / largest : 0.0;
+    return flows;
+  }
+
+  /// What leaves a pore of given pressure has come in through its face.
+  void balance_faces(const std::vector<double>& net) {
+    flow_.face_inflow = {};
     std::vector<char> counted(net.size(), 0);
     for (int f = 0; f < 6; ++f) {
       if (problem_.faces[to_size(f)].kind == Kind::inflow) flow_.face_inflow[to_size(f)] = problem_.faces[to_size(f)].value;

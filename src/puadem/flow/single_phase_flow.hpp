@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "puadem/flow/flow_graph.hpp"
+#include "puadem/flow/flow_tree.hpp"
 #include "puadem/flow/pressure_system.hpp"
 #include "puadem/geometry/domain.hpp"
 #include "puadem/network/pore_network.hpp"
@@ -47,11 +48,12 @@ struct SinglePhaseProblem {
 };
 
 struct SinglePhaseFlow {
-  std::vector<double> pressure;           ///< per pore [Pa]; where no pressure is given anywhere, relative to pore 0
-  std::vector<double> throat_flow;        ///< from pore i to j [m3/s]; 0 inside a pore of several parts, where it is not defined
-  std::array<double, 6> face_inflow;      ///< into the box; a pore at two faces of one pressure counts for the first [m3/s]
-  double imbalance = 0.0;                 ///< largest net flow of a pore, over the largest flow through one [-]
-  int joined = 0;                         ///< throats without resistance
+  std::vector<double> pressure;       ///< per pore [Pa]; where no pressure is given anywhere, relative to pore 0
+  std::vector<double> throat_flow;    ///< from pore i to j [m3/s]; 0 inside a pore of several parts, where it is not defined
+  std::array<double, 6> face_inflow;  ///< into the box; a pore at two faces of one pressure counts for the first [m3/s]
+  double imbalance = 0.0;             ///< largest net flow of a pore, over the largest flow through one [-]
+  double carried = 0.0;  ///< the same as the pressures left it, before it was carried to where pressures are given [-]
+  int joined = 0;        ///< throats without resistance
   int limited_low = 0, limited_high = 0;  ///< conductances that the limits raised and lowered
   PressureSolveReport solve;
 };
@@ -68,6 +70,7 @@ struct SinglePhaseMemory {
   std::vector<int> unknown;  ///< of each node; -1 where its pressure is prescribed
   std::optional<PressureSystem> system;
   std::vector<double> solution;
+  FlowTree tree;  ///< by which flows are balanced
 };
 
 /// @throws InputError      for a condition on a face that is no wall or has no pore, a gradient along an axis with

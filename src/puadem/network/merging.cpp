@@ -21,16 +21,28 @@ Shift combine(const Shift& a, const Shift& b, const Shift& minus) {
   return result;
 }
 
-/// Units while they grow. A unit lists its cells and every facet that touches it from either side.
+/// Units while they grow. A unit chains its cells and lists every facet that touches it from either side.
 struct Units {
+  struct List {
+    std::size_t start = 0;
+    int size = 0;
+  };
+
   std::span<const Facet> facets;
-  std::vector<int> unit;                     // of each cell
-  std::vector<Shift> cell_shift;             // of each cell in its unit's frame
-  std::vector<std::vector<int>> cells;       // of each unit; empty once merged into another
-  std::vector<std::vector<int>> facet_list;  // of each unit
+  std::vector<int> unit;          // of each cell
+  std::vector<Shift> cell_shift;  // of each cell in its unit's frame
+  std::vector<int> next_cell;     // of each cell, in its unit; -1 ends the chain, which begins with cell u of unit u
+  std::vector<int> last_cell;     // of each unit
+  std::vector<int> cells;         // of each unit: their number
+  std::vector<int> listed;        // facets of all units, ascending in each; a merged unit's follow at the end
+  std::vector<List> facet_list;   // of each unit, in `listed`
   std::vector<double> volume, radius;
   std::vector<int> wall_faces, faces;
 
+  std::span<const int> facets_of(int u) const {
+    const List& list = facet_list[to_size(u)];
+    return std::span(listed).subspan(list.start, to_size(list.size));
+  }
   int across(int u, const Facet& f) const {
     const int a = unit[to_size(f.cell)], b = unit[to_size(f.neighbour)];
     return a == u ? b : a;
@@ -55,21 +67,15 @@ class Merger {
     units_.facets = facets;
     units_.unit.resize(to_size(cells));
     std::iota(units_.unit.begin(), units_.unit.end(), 0);
+    units_.last_cell = units_.unit;
+    units_.next_cell.assign(to_size(cells), -1);
+    units_.cells.assign(to_size(cells), 1);
     units_.cell_shift.resize(to_size(cells));
-    units_.cells.resize(to_size(cells));
-    units_.facet_list.resize(to_size(cells));
     units_.volume.assign(cell_void.begin(), cell_void.end());
     units_.faces.assign(cell_faces.begin(), cell_faces.end());
     units_.wall_faces = units_.faces;
     units_.radius.resize(to_size(cells));
-    for (int c = 0; c < cells; ++c) units_.cells[to_size(c)] = {c};
-    for (int f = 0; f < size_of(facets); ++f) {
-      const auto& [a, b, shift, opposite] = facets[to_size(f)];
-      units_.facet_list[to_size(a)].push_back(f);
-      --units_.wall_faces[to_size(a)];
-      if (b != a) units_.facet_list[to_size(b)].push_back(f);
-      --units_.wall_faces[to_size(b)];
-    }
+    list_facets(cells);
     // Void of a cell that is flat or filled by overlapping grains: nil beside the mean cell.
     const double mean = std::accumulate(cell_void.begin(), cell_void.end(), 0.0) / std::max(cells, 1);
     ensure(mean > 0.0, "the packing has no void at all: the grains overlap too far");
@@ -93,6 +99,33 @@ class Merger {
   }
 
  private:
+  void list_facets(int cells) {
+    units_.facet_list.resize(to_size(cells));
+    for (const Facet& f : units_.facets) {
+      ++units_.facet_list[to_size(f.cell)].size;
+      if (f.neighbour != f.cell) ++units_.facet_list[to_size(f.neighbour)].size;
+      --units_.wall_faces[to_size(f.cell)];
+      --units_.wall_faces[to_size(f.neighbour)];
+    }
+    std::size_t end = 0;
+    for (auto& list : units_.facet_list) {
+      list.start = end;
+      end += to_size(list.size);
+      list.size = 0;
+    }
+    units_.listed.reserve(2 * end);
+    units_.listed.resize(end);
+    const auto append = [&](int cell, int facet) {
+      auto& list = units_.facet_list[to_size(cell)];
+      units_.listed[list.start + to_size(list.size++)] = facet;
+    };
+    for (int f = 0; f < size_of(units_.facets); ++f) {
+      const auto& [a, b, shift, opposite] = units_.facets[to_size(f)];
+      append(a, f);
+      if (b != a) append(b, f);
+    }
+  }
+
   bool is_nil(int u) const { return units_.volume[to_size(u)] <= nil_volume_; }
 
   void update_radius(int u) {
@@ -109,14 +142,12 @@ class Merger {
 
   Worst find_worst(int u) const {
     Worst worst;
-    for (const int f : units_.facet_list[to_size(u)]) {
+    for (const int f : units_.facets_of(u)) {
       const int v = units_.across(u, units_.facets[to_size(f)]);
       if (v == u) continue;
       const double r = ratio(u, v, f);
       const bool must = std::isinf(r);
-      if (!must &&
-          (r <= options_.ratio || size_of(units_.cells[to_size(u)]) + size_of(units_.cells[to_size(v)]) > options_.limit))
-        continue;
+      if (!must && (r <= options_.ratio || units_.cells[to_size(u)] + units_.cells[to_size(v)] > options_.limit)) continue;
       const auto rank = static_cast<float>(r);
       if (rank < worst.ratio) continue;
       if (rank == worst.ratio) {  // facets come in ascending order
@@ -142,7 +173,7 @@ class Merger {
     std::vector<int> again;
     for (const int u : merged) {
       again.push_back(u);
-      for (const int f : units_.facet_list[to_size(u)]) again.push_back(units_.across(u, units_.facets[to_size(f)]));
+      for (const int f : units_.facets_of(u)) again.push_back(units_.across(u, units_.facets[to_size(f)]));
     }
     std::sort(again.begin(), again.end());
     again.erase(std::unique(again.begin(), again.end()), again.end());
@@ -158,28 +189,36 @@ class Merger {
       std::swap(keep, gone);
       for (auto& s : move) s = static_cast<std::int8_t>(-s);
     }
-    for (const int c : units_.cells[to_size(gone)]) {
+    for (int c = gone; c >= 0; c = units_.next_cell[to_size(c)]) {
       units_.unit[to_size(c)] = keep;
       for (std::size_t k = 0; k < 3; ++k)
         units_.cell_shift[to_size(c)][k] = static_cast<std::int8_t>(units_.cell_shift[to_size(c)][k] + move[k]);
     }
-    auto &cells = units_.cells[to_size(keep)], &old_cells = units_.cells[to_size(gone)];
-    cells.insert(cells.end(), old_cells.begin(), old_cells.end());
-    old_cells.clear();
-    auto &list = units_.facet_list[to_size(keep)], &old_list = units_.facet_list[to_size(gone)];
-    list.insert(list.end(), old_list.begin(), old_list.end());
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    old_list.clear();
+    units_.next_cell[to_size(units_.last_cell[to_size(keep)])] = gone;
+    units_.last_cell[to_size(keep)] = units_.last_cell[to_size(gone)];
+    units_.cells[to_size(keep)] += units_.cells[to_size(gone)];
     units_.volume[to_size(keep)] += units_.volume[to_size(gone)];
     units_.wall_faces[to_size(keep)] += units_.wall_faces[to_size(gone)];
-    std::erase_if(list, [&](int k) { return units_.is_inside(units_.facets[to_size(k)]); });
+    join_lists(keep, gone);
     int bounding = units_.wall_faces[to_size(keep)];
-    for (const int k : list)  // a facet to the unit's own image bounds it on two sides
+    for (const int k : units_.facets_of(keep))  // a facet to the unit's own image bounds it on two sides
       bounding += units_.across(keep, units_.facets[to_size(k)]) == keep ? 2 : 1;
     units_.faces[to_size(keep)] = bounding;
     update_radius(keep);
     return keep;
+  }
+
+  /// The facets that bound the joined unit take the place of both lists.
+  void join_lists(int keep, int gone) {
+    auto &a = units_.facet_list[to_size(keep)], &b = units_.facet_list[to_size(gone)];
+    const std::size_t start = units_.listed.size();
+    units_.listed.resize(start + to_size(a.size + b.size));
+    const auto at = [&](std::size_t k) { return units_.listed.begin() + static_cast<std::ptrdiff_t>(k); };
+    auto end = std::set_union(at(a.start), at(a.start) + a.size, at(b.start), at(b.start) + b.size, at(start));
+    end = std::remove_if(at(start), end, [&](int k) { return units_.is_inside(units_.facets[to_size(k)]); });
+    a = {start, static_cast<int>(end - at(start))};
+    b = {};
+    units_.listed.erase(end, units_.listed.end());
   }
 
   MergedCells result() const {
