@@ -5,9 +5,9 @@
 #include <span>
 
 #include "puadem/base/error.hpp"
+#include "puadem/coupling/checked_network.hpp"
 #include "puadem/coupling/stages.hpp"
 #include "puadem/flow/retention_path.hpp"
-#include "puadem/network/pore_units.hpp"
 
 namespace puadem {
 
@@ -78,9 +78,7 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   };
 
   report("network", 0.0, 0.0, 1.0);
-  NetworkOptions options = c.pores;
-  options.contact_angle = c.fluids.contact_angle;
-  state.network = build_pore_network(state.particles.position, state.particles.radius, state.domain, options);
+  state.network = checked_network(c, state, observer);
   state.invasion = start_invasion(state.network, c.fluids, stage.invasion);
   state.saturation = saturation(state.network, *state.invasion);
   state.retention.clear();

@@ -18,7 +18,7 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
 void run_loading_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
 
 /// Pore network of the grains as they lie, then the capillary pressures of the path.
-/// @throws InputError, NumericalError as `build_pore_network`, `start_invasion` and `follow_path`
+/// @throws InputError, NumericalError as `checked_network`, `start_invasion` and `follow_path`
 void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer, RunResults& results);
 
 /// Facts of the packing as it lies, into the results: numbers, radii, porosities.

@@ -1,8 +1,11 @@
 #include "puadem/network/pore_units.hpp"
 
 #include <algorithm>
+#include <numeric>
 
+#include "puadem/base/error.hpp"
 #include "puadem/geometry/cell.hpp"
+#include "puadem/network/grain_overlaps.hpp"
 #include "puadem/network/merging.hpp"
 #include "puadem/network/network_geometry.hpp"
 
@@ -109,6 +112,9 @@ PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const dou
   const Triangulation& triangulation = network.triangulation;
   const PackingSites sites_of(centre, radius, domain);
   const CellGeometry cells = measure_cells(triangulation, sites_of);
+  if (!(std::accumulate(cells.void_volume.begin(), cells.void_volume.end(), 0.0) > 0.0))
+    throw NumericalError("the grains overlap too far, no void is left between them; " +
+                         deepest_in_words(find_overlaps(triangulation, centre, radius, domain)));
   const std::vector<Facet> facets = find_facets(triangulation);
   FacetGeometry geometry = measure_facets(triangulation, facets, cells, sites_of, options);
 

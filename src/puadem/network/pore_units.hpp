@@ -12,7 +12,8 @@ namespace puadem {
 ///
 /// @param centre  grain centres [m]
 /// @param radius  grain radii [m]
-/// @throws InputError as `triangulate`
+/// @throws InputError      as `triangulate`
+/// @throws NumericalError  where overlapping grains leave no void
 PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain,
                                const NetworkOptions& options);
 
