@@ -18,23 +18,33 @@ constexpr double shortest_step = 1e-12;
 
 bool gives_pressure(const FlowBoundary& boundary) { return boundary.kind == FlowBoundary::Kind::pressure; }
 
-/// Saturation change of a step, averaged over the pores by the volume each exchanged, and the largest of all.
+/// How much a step moved: the volume exchanged over that of the front, which is all pores beside a throat with gas on one
+/// side only (or, where there is none, all pores with gas); and the largest change of a pore's saturation.
 struct StepChange {
-  double mean = 0.0, largest = 0.0;
+  double moved = 0.0, largest = 0.0;
 };
-StepChange change_of(const TwoPhaseModel& model, std::span<const double> volume, const TwoPhaseTrial& trial,
-                     const TwoPhaseState& state) {
+StepChange change_of(const PoreNetwork& network, const TwoPhaseModel& model, std::span<const double> volume,
+                     const TwoPhaseTrial& trial, const TwoPhaseState& state) {
+  std::vector<std::uint8_t> at_front(volume.size());
+  const auto& gas = state.nonwetting.holds;
+  for (int t = 0; t < network.throats(); ++t) {
+    const auto [i, j] = network.throat_pores[to_size(t)];
+    if (gas[to_size(i)] != gas[to_size(j)] && model.thresholds.may_open[to_size(t)])
+      at_front[to_size(i)] = at_front[to_size(j)] = 1;
+  }
   StepChange change;
-  double squares = 0.0, moved = 0.0;
+  double water = 0.0, front = 0.0, all = 0.0;
   for (int i = 0; i < size_of(volume); ++i) {
     const std::size_t p = to_size(i);
-    if (!model.is_counted(i) || trial.filling[p] == PoreFilling::saturated) continue;
-    const double water = std::abs(trial.wetting_volume[p] - state.wetting_volume[p]);
-    change.largest = std::max(change.largest, water / volume[p]);
-    squares += water * water / volume[p];
-    moved += water;
+    if (!model.is_counted(i)) continue;
+    if (at_front[p]) front += volume[p];
+    if (trial.filling[p] == PoreFilling::saturated) continue;
+    const double moved = std::abs(trial.wetting_volume[p] - state.wetting_volume[p]);
+    change.largest = std::max(change.largest, moved / volume[p]);
+    water += moved;
+    all += volume[p];
   }
-  if (moved > 0.0) change.mean = squares / moved;
+  if (water > 0.0) change.moved = water / (front > 0.0 ? front : all);
   return change;
 }
 
@@ -85,7 +95,7 @@ struct Stepper {
   const TwoPhaseModel& model;
   TwoPhaseState& state;
   const TwoPhaseCallbacks& callbacks;
-  double saturation_change;
+  double front_change;
   TwoPhaseReport report;
   std::vector<double> old_volume, volume;  ///< per pore, at the ends of the step [m3]
   std::span<const double> volume_rate;
@@ -107,8 +117,8 @@ struct Stepper {
     for (;;) {
       const BoundaryValues at_end = values(step);
       const TwoPhaseTrial trial = attempt(step, at_end);
-      const StepChange change = change_of(model, volume, trial, state);
-      const bool too_long = saturation_change < 1.0 && change.mean > 2.0 * saturation_change;
+      const StepChange change = change_of(network, model, volume, trial, state);
+      const bool too_long = front_change < 1.0 && change.moved > 2.0 * front_change;
       if (trial.converged && !too_long) {
         accept(network, model, step, old_volume, volume, at_end, trial, state);
         state.time += step;
@@ -122,13 +132,13 @@ struct Stepper {
         std::swap(old_volume, volume);
         const double growth = model.options.steps.growth;
         const double factor =
-            saturation_change < 1.0 && change.mean > 0.0 ? std::clamp(saturation_change / change.mean, 0.3, growth) : growth;
+            front_change < 1.0 && change.moved > 0.0 ? std::clamp(front_change / change.moved, 0.3, growth) : growth;
         // A step cut short by the end of the call or a schedule says little of the next.
         state.time_step = std::max(step * factor, step == tried && tried < state.time_step ? state.time_step : 0.0);
         return step;
       }
       ++report.retries;
-      step *= trial.converged ? std::clamp(saturation_change / change.mean, 0.1, 0.6) : 0.25;
+      step *= trial.converged ? std::clamp(front_change / change.moved, 0.1, 0.6) : 0.25;
       ensure(
           step > shortest_step * model.time_scale,
           "two-phase flow stands still at t = {:.6g} s (step {}): no step above {:.3g} s succeeds; pore {} misses its local law "
@@ -147,9 +157,9 @@ struct Stepper {
 };
 
 Stepper make_stepper(const PoreNetwork& network, const TwoPhaseModel& model, TwoPhaseState& state,
-                     const TwoPhaseCallbacks& callbacks, double saturation_change) {
-  Stepper stepper{network, model, state, callbacks, saturation_change, {}, network.pore_volume, network.pore_volume, {}};
-  if (state.time_step <= 0.0) state.time_step = model.options.steps.saturation_change * model.time_scale;
+                     const TwoPhaseCallbacks& callbacks, double front_change) {
+  Stepper stepper{network, model, state, callbacks, front_change, {}, network.pore_volume, network.pore_volume, {}};
+  if (state.time_step <= 0.0) state.time_step = model.options.steps.front_change * model.time_scale;
   return stepper;
 }
 
@@ -202,7 +212,7 @@ TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel
   require(std::isfinite(duration) && duration >= 0.0, "two-phase flow cannot be followed for {} s", duration);
   require(volume_rate.empty() || size_of(volume_rate) == network.pores(), "{} volume rates are given for {} pores",
           volume_rate.size(), network.pores());
-  Stepper stepper = make_stepper(network, model, state, callbacks, model.options.steps.saturation_change);
+  Stepper stepper = make_stepper(network, model, state, callbacks, model.options.steps.front_change);
   stepper.volume_rate = volume_rate;
   const double end = state.time + duration;
   while (state.time < end) {

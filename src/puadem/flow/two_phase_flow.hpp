@@ -37,13 +37,13 @@ enum class GasKind : std::uint8_t {
 
 /// How long the steps are (theory 6.5).
 struct TwoPhaseSteps {
-  /// Saturation change of a step, averaged over the pores by the volume they exchange: steps aim at it, and one
-  /// that exceeds twice of it is taken back [-]. 1 or more: the order of events alone counts.
-  double saturation_change = 0.1;
+  /// Volume that may change hands in a step over that of the front, the pores beside throats with gas on one side: steps
+  /// aim at it, and one that exceeds twice of it is taken back [-].
+  double front_change = 0.02;
   double growth = 2.0;                                       ///< most by which a step may exceed the last [-]
   double longest = std::numeric_limits<double>::infinity();  ///< [s]
   int newton_limit = 30;                                     ///< iterations of a step before it is halved
-  double tolerance = 1e-9;  ///< of local saturation, or of capillary pressure over the body's own [-]
+  double tolerance = 1e-6;  ///< of local saturation, or of capillary pressure over the body's own [-]
   long step_limit = 10'000'000;
 };
 

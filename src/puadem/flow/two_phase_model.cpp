@@ -37,9 +37,9 @@ void check_options(const PoreNetwork& network, const TwoPhaseModel& model) {
   const TwoPhaseOptions& options = model.options;
   require(options.scheme == TwoPhaseScheme::implicit || options.gas == GasKind::connected,
           "the scheme impes knows gas of one pressure only: choose gas = connected, or the scheme implicit");
-  require(options.steps.saturation_change > 0.0 && options.steps.growth > 1.0 && options.steps.longest > 0.0 &&
+  require(options.steps.front_change > 0.0 && options.steps.growth > 1.0 && options.steps.longest > 0.0 &&
               options.steps.tolerance > 0.0 && options.steps.newton_limit > 1,
-          "time steps need a saturation change, a tolerance and a longest step above 0, a growth above 1 and more than one "
+          "time steps need a change of the front, a tolerance and a longest step above 0, a growth above 1 and more than one "
           "iteration");
   require(options.gas != GasKind::ideal || options.reference_pressure > 0.0,
           "ideal gas needs a reference pressure above 0, it is {} Pa", options.reference_pressure);

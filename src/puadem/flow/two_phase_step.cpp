@@ -22,6 +22,10 @@ constexpr double least_slope = 1e-6;
 constexpr double closed_capacitance = 1e-6;
 /// Least share of a pore's wetting fluid that one iteration leaves.
 constexpr double least_left = 0.2;
+/// By how much of its volume a full pore may be too full, an emptied one too empty: the next step takes it back.
+constexpr double overfill = 1e-9;
+/// Slope of the local law over p_thr above which an iteration goes along the pressure, below along the volume.
+constexpr double steep = 2.0;
 
 struct Clock {
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
@@ -42,6 +46,8 @@ struct Newton {
   std::vector<double> law_pressure;  ///< of a mixed pore; of a full or emptied one the difference it has
   std::vector<double> capacitance;   ///< [m3/Pa]
   std::vector<double> predicted;     ///< wetting volume after a solve [m3]
+
+  bool is_explicit() const { return model.options.scheme == TwoPhaseScheme::impes; }
 
   double height(int i) const {  // turns a difference of potentials into one of pressures
     return hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[to_size(i)]) -
@@ -222,7 +228,8 @@ double move_to_law(Newton& n, int i) {
   double& water = n.trial.wetting_volume[p];
   if (filling != Filling::mixed) {
     const bool leaves = filling == Filling::full ? now > local_pressure(n.model, i, 1.0) : now < local_pressure(n.model, i, 0.0);
-    const double miss = leaves ? 1.0 : std::abs(n.predicted[p] - water) / volume;
+    const bool misses = std::abs(n.predicted[p] - water) > overfill * volume;
+    const double miss = leaves || misses ? 1.0 : 0.0;
     if (leaves) filling = Filling::mixed;
     n.law_pressure[p] = now;
     return miss;
@@ -230,7 +237,7 @@ double move_to_law(Newton& n, int i) {
   const double predicted = n.predicted[p];
   if (predicted >= volume) {
     const double excess = (predicted - volume) / volume;
-    if (excess <= n.model.options.steps.tolerance && water == volume) return excess;
+    if (excess <= overfill && water == volume) return excess;
     filling = Filling::full;
     water = volume;
     n.law_pressure[p] = now;
@@ -242,12 +249,14 @@ double move_to_law(Newton& n, int i) {
     n.law_pressure[p] = now;
     return 1.0;
   }
-  const double least = least_left * water;
-  if (predicted < least) {
-    water = least;
-    return 1.0;
+  // Where the law is steep, the pressure knows the saturation better than the volume does.
+  if (-local_slope(n.model, i, water / volume) > steep * scale && now > local_pressure(n.model, i, 1.0)) {
+    water = volume * local_saturation(n.model, i, now);
+    return std::abs(predicted - water) / volume;
   }
-  water = predicted;
+  const double least = least_left * water;
+  water = std::max(predicted, least);
+  if (predicted < least) return 1.0;
   const double miss = std::abs(now - local_pressure(n.model, i, water / volume)) / scale;
   return miss / std::max(-local_slope(n.model, i, water / volume) / scale, 1.0);
 }
@@ -274,7 +283,6 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
            {}};
   start(n);
   trial.seconds_assemble += assembling.seconds();
-  const bool once = model.options.scheme == TwoPhaseScheme::impes;
   while (!trial.converged && trial.solves < model.options.steps.newton_limit) {
     for (int i = 0; i < network.pores(); ++i)
       if (n.has_capacitor(i)) set_capacitor(n, i);
@@ -290,7 +298,7 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
         trial.worst_pore = i;
       }
     }
-    trial.converged = trial.mismatch <= model.options.steps.tolerance || (once && bounded);
+    trial.converged = n.is_explicit() ? bounded : trial.mismatch <= model.options.steps.tolerance;
   }
   // Volumes by what flowed, so that nothing is lost between pores.
   net_outflow(network, n.throat.wetting, trial.wetting, trial.wetting_outflow);

@@ -119,4 +119,10 @@ double local_slope(const TwoPhaseModel& model, int pore, double saturation) {
       model.options.retention_law);
 }
 
+double local_saturation(const TwoPhaseModel& model, int pore, double pressure) {
+  const CapillaryUnit& unit = model.thresholds.unit[to_size(pore)];
+  if (!model.thresholds.keeps_water[to_size(pore)]) return 1.0 - (pressure / unit.threshold - 1.0) / dry_slope;
+  return std::visit([&](const RetentionLaw auto& law) { return law.saturation(unit, pressure); }, model.options.retention_law);
+}
+
 }  // namespace puadem

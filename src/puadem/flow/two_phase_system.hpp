@@ -40,6 +40,9 @@ void net_outflow(const PoreNetwork& network, std::span<const double> conductance
 double local_pressure(const TwoPhaseModel& model, int pore, double saturation);
 double local_slope(const TwoPhaseModel& model, int pore, double saturation);
 
+/// The law the other way: saturation at a pressure above that of S = 1 [-].
+double local_saturation(const TwoPhaseModel& model, int pore, double pressure);
+
 /// Hydrostatic part of a pressure, rho g . x [Pa].
 inline double hydrostatic(const TwoPhaseModel& model, FluidPhase fluid, const Vec3& place) {
   const Fluid& f = fluid == FluidPhase::wetting ? model.fluids.wetting : model.fluids.nonwetting;
