@@ -27,8 +27,12 @@ bench:
 	@tools/install_dependencies --bench
 	@bench/run
 
+# docs/validation.md anew: the drainage study, networks and one fluid. BALLS=FOLDER: where finney_packing_4021.csv lies.
 validate: build
+	@tools/install_dependencies --docs
+	@cmake --build build/release --parallel $(jobs) --target verify_network
 	@tools/validate $(puadem)
+	@tools/verify_network build/release/tests/verify_network $(if $(BALLS),--balls $(BALLS))
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

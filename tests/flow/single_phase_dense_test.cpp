@@ -77,6 +77,18 @@ std::vector<double> dense_pressures(const PoreNetwork& network, const Domain& do
   return solved(std::move(d));
 }
 
+void expect_equal(const PoreNetwork& network, const Domain& domain, const SinglePhaseProblem& problem) {
+  const std::vector<double> expected = dense_pressures(network, domain, problem);
+  double size = 0.0;
+  for (const double v : expected) size = std::max(size, std::abs(v));
+  for (const auto method : {PressureSolverOptions::Method::cholesky, PressureSolverOptions::Method::multigrid}) {
+    SinglePhaseMemory memory;
+    memory.solver.method = method;
+    const SinglePhaseFlow flow = solve_single_phase(network, domain, problem, memory);
+    for (int p = 0; p < network.pores(); ++p) EXPECT_NEAR(flow.pressure[to_size(p)], expected[to_size(p)], 1e-9 * size) << p;
+  }
+}
+
 }  // namespace
 
 TEST(SinglePhaseFlow, EqualsTheBalanceOfEveryPore) {
@@ -99,12 +111,7 @@ TEST(SinglePhaseFlow, EqualsTheBalanceOfEveryPore) {
       problem.volume_rate = rate;
       for (const bool is_compressible : {false, true}) {
         if (is_compressible) problem.compressibility = SlightCompressibility{1e3, 1e-2, before};
-        SinglePhaseMemory memory;
-        const SinglePhaseFlow flow = solve_single_phase(network, s.domain, problem, memory);
-        const std::vector<double> expected = dense_pressures(network, s.domain, problem);
-        double size = 0.0;
-        for (const double v : expected) size = std::max(size, std::abs(v));
-        for (int p = 0; p < network.pores(); ++p) EXPECT_NEAR(flow.pressure[to_size(p)], expected[to_size(p)], 1e-9 * size) << p;
+        expect_equal(network, s.domain, problem);
       }
     }
   }

@@ -218,7 +218,7 @@ void write_random_packings(const std::filesystem::path& folder) {
 }
 
 void write_columns(const std::filesystem::path& folder) {
-  Csv csv(folder / "columns.csv", "grains,seed,pores,height,l2,largest,flux_error,imbalance");
+  Csv csv(folder / "columns.csv", "grains,seed,pores,height,l2,largest,flux_error,section_error,imbalance,carried");
   Csv profile(folder / "column_profiles.csv", "grains,height,pressure");
   for (const auto& [grains, columns] : {std::pair{250, 8}, {1000, 6}, {4000, 3}, {16000, 1}})
     for (int seed = 1; seed <= columns; ++seed) {
@@ -235,7 +235,7 @@ void write_columns(const std::filesystem::path& folder) {
         if (seed == 1 && p % stride == 0) profile.row(grains, height, flow.pressure[to_size(p)]);
       }
       csv.row(grains, seed, pores, s.domain.size().z / (2.0 * sauter_radius(s)), std::sqrt(squares / pores), largest,
-              relative_error(-flow.face_inflow[5], flow.face_inflow[4]), flow.imbalance);
+              relative_error(-flow.face_inflow[5], flow.face_inflow[4]), section_error(column), flow.imbalance, flow.carried);
     }
 }
 
@@ -259,7 +259,7 @@ void write_invariances(const std::filesystem::path& folder) {
   for (const double unit : {1e3, 1e-3}) {
     Permeability other = permeability_of(scaled(s, unit));
     for (Vec3& row : other.tensor) row = row / (unit * unit);
-    csv.row(unit > 1.0 ? "lengths 1000 times as large, k / 1000²" : "lengths 1000 times as small, k · 1000²",
+    csv.row(unit > 1.0 ? "lengths 1000 times as large (k / 1000²)" : "lengths 1000 times as small (k · 1000²)",
             largest_difference(other, k));
   }
   csv.row("another order of the grains", largest_difference(permeability_of(shuffled(s, 7)), k));
@@ -274,14 +274,14 @@ void write_invariances(const std::filesystem::path& folder) {
     const Vec3 difference = flux(oblique, testing::rotated(gradient)) - testing::rotated(flux(upright, gradient));
     turned = std::max(turned, norm(difference) / upright.mean());
   }
-  csv.row("packing turned by 36.87°, in a turned box of 25 images", turned);
+  csv.row("packing turned by 36.87° (in a turned box of 25 images)", turned);
 
   set_threads(1);
   const Permeability one = permeability_of(s);
   set_threads(2);
   const Permeability two = permeability_of(s);
   set_threads(0);
-  csv.row("1 and 2 threads, bits", one.tensor == two.tensor ? 0.0 : largest_difference(one, two));
+  csv.row("1 and 2 threads (bits)", one.tensor == two.tensor ? 0.0 : largest_difference(one, two));
 }
 
 }  // namespace puadem::verification

@@ -1,0 +1,17 @@
+"""docs/validation.md as chapters, so that each program renews its own and leaves the others."""
+import pathlib
+import re
+
+path = pathlib.Path(__file__).resolve().parent.parent / "docs/validation.md"
+
+
+def renew(chapters, preface=None):
+    """Puts chapters {"1. Title": text} in the place of those of the same title; the rest stays. In order of their numbers."""
+    parts = re.split(r"(?m)^## (.*)$", path.read_text()) if path.exists() else [""]
+    standing = dict(zip(parts[1::2], parts[2::2]))
+    standing.update(chapters)
+    ordered = sorted(standing.items(), key=lambda item: int(item[0].split(".")[0]))
+    text = (preface or parts[0]).strip() + "\n"
+    for title, body in ordered:
+        text += f"\n## {title}\n\n{body.strip()}\n"
+    path.write_text(text)
