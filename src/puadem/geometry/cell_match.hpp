@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "puadem/base/csr.hpp"
+#include "puadem/geometry/packing_sites.hpp"
+#include "puadem/geometry/regular_triangulation.hpp"
+
+namespace puadem {
+
+/// How the cells of two triangulations of the same grains correspond. Most cells stand in both; the others fill small
+/// cavities, each with the same outer surface in both: after small motion nearly always two cells in place of three or
+/// three in place of two.
+struct CellMatch {
+  std::vector<int> before;  ///< per cell now: the cell of the same vertices before, or -1
+  Csr vanished, appeared;   ///< per cavity, by its lowest new cell: cells before and cells now, ascending
+};
+
+/// Cells are the same where their vertices are: grains must not have been moved by whole periods between the two.
+CellMatch match_cells(const Triangulation& before, const Triangulation& now);
+
+/// Brings an amount that cells hold from one triangulation to the next: a cell that stays keeps its own to the last bit, a
+/// cavity shares its sum by void volume, so that the sum of all stays and in a cavity no cell is fuller than another.
+///
+/// @param amount  per cell before
+/// @param space   void per cell now [m3]
+std::vector<double> carry_over(const CellMatch& match, std::span<const double> amount, std::span<const double> space);
+
+/// Which way round each cell is, +1 or -1; 0 where it is flat. A cell whose sign has changed since it was made has turned
+/// inside out: the cells no longer tile the box.
+std::vector<std::int8_t> cell_orientations(const Triangulation& triangulation, const PackingSites& sites);
+
+}  // namespace puadem
