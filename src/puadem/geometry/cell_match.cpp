@@ -11,6 +11,8 @@ namespace puadem {
 
 namespace {
 
+using Shift = std::array<std::int8_t, 3>;
+
 /// Facet of a cell, by its vertices in the frame of its lowest grain: the same from both sides and in both triangulations.
 struct FacetKey {
   std::array<Vertex, 3> vertices;
@@ -39,31 +41,59 @@ std::array<Vertex, 3> frameless(const std::array<Vertex, 4>& cell, unsigned oppo
   return best;
 }
 
-void list_facets(const Triangulation& triangulation, const std::vector<int>& cells, int first, std::vector<FacetKey>& facets) {
-  for (int k = 0; k < size_of(cells); ++k)
-    for (unsigned opposite = 0; opposite < 4; ++opposite)
-      facets.push_back({frameless(triangulation.vertices[to_size(cells[to_size(k)])], opposite), first + k});
+void list_facets(const std::array<Vertex, 4>& vertices, int cell, std::vector<FacetKey>& facets) {
+  for (unsigned opposite = 0; opposite < 4; ++opposite) facets.push_back({frameless(vertices, opposite), cell});
+}
+
+/// A cell before, as a triangulation of the grains where they stand now would list it.
+struct FormerCell {
+  std::array<Vertex, 4> vertices;
+  Shift shift{};
+  int cell = 0;
+};
+
+std::vector<FormerCell> former_cells(const Triangulation& before, std::span<const Shift> wraps) {
+  std::vector<FormerCell> former;
+  former.reserve(to_size(before.cells()));
+  for (int c = 0; c < before.cells(); ++c) {
+    auto vertices = before.vertices[to_size(c)];
+    if (!wraps.empty())
+      for (Vertex& v : vertices)
+        if (!v.is_wall())
+          for (std::size_t a = 0; a < 3; ++a) v.shift[a] = static_cast<std::int8_t>(v.shift[a] + wraps[to_size(v.index)][a]);
+    const CanonicalCell listed = canonical(vertices);
+    former.push_back({listed.vertices, listed.shift, c});
+  }
+  std::ranges::sort(former, {}, &FormerCell::vertices);
+  return former;
 }
 
 }  // namespace
 
-CellMatch match_cells(const Triangulation& before, const Triangulation& now) {
+CellMatch match_cells(const Triangulation& before, const Triangulation& now, std::span<const Shift> wraps) {
+  const std::vector<FormerCell> former = former_cells(before, wraps);
   CellMatch match;
   match.before.assign(to_size(now.cells()), -1);
-  std::vector<int> gone, come;
-  int b = 0;
+  match.shift.resize(to_size(now.cells()));
+  std::vector<int> come;
+  std::vector<FormerCell> gone;
+  auto b = former.begin();
   for (int n = 0; n < now.cells(); ++n) {  // both ascend by vertices
-    for (; b < before.cells() && before.vertices[to_size(b)] < now.vertices[to_size(n)]; ++b) gone.push_back(b);
-    if (b < before.cells() && before.vertices[to_size(b)] == now.vertices[to_size(n)])
-      match.before[to_size(n)] = b++;
-    else
+    const auto& vertices = now.vertices[to_size(n)];
+    for (; b != former.end() && b->vertices < vertices; ++b) gone.push_back(*b);
+    if (b != former.end() && b->vertices == vertices) {
+      match.before[to_size(n)] = b->cell;
+      match.shift[to_size(n)] = b->shift;
+      ++b;
+    } else {
       come.push_back(n);
+    }
   }
-  for (; b < before.cells(); ++b) gone.push_back(b);
+  gone.insert(gone.end(), b, former.end());
 
   std::vector<FacetKey> facets;
-  list_facets(now, come, 0, facets);
-  list_facets(before, gone, size_of(come), facets);
+  for (int k = 0; k < size_of(come); ++k) list_facets(now.vertices[to_size(come[to_size(k)])], k, facets);
+  for (int k = 0; k < size_of(gone); ++k) list_facets(gone[to_size(k)].vertices, size_of(come) + k, facets);
   std::sort(facets.begin(), facets.end(), [](const FacetKey& x, const FacetKey& y) {
     return x.vertices != y.vertices ? x.vertices < y.vertices : x.cell < y.cell;
   });
@@ -78,13 +108,10 @@ CellMatch match_cells(const Triangulation& before, const Triangulation& now) {
     if (cavity < 0) cavity = cavities++;
     (k < size_of(come) ? row_come : row_gone).push_back(cavity);
   }
-  const auto rows = [&](const std::vector<int>& row_of, const std::vector<int>& cells) {
-    Csr csr = rows_from(row_of, cavities);
-    for (int& entry : csr.index) entry = cells[to_size(entry)];
-    return csr;
-  };
-  match.appeared = rows(row_come, come);
-  match.vanished = rows(row_gone, gone);
+  match.appeared = rows_from(row_come, cavities);
+  for (int& entry : match.appeared.index) entry = come[to_size(entry)];
+  match.vanished = rows_from(row_gone, cavities);
+  for (int& entry : match.vanished.index) entry = gone[to_size(entry)].cell;
   return match;
 }
 

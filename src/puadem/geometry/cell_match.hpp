@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,11 +16,16 @@ namespace puadem {
 /// three in place of two.
 struct CellMatch {
   std::vector<int> before;  ///< per cell now: the cell of the same vertices before, or -1
-  Csr vanished, appeared;   ///< per cavity, by its lowest new cell: cells before and cells now, ascending
+  /// Per cell that stays: how far, in periods, its listed image before lies from the one listed now.
+  std::vector<std::array<std::int8_t, 3>> shift;
+  Csr vanished, appeared;  ///< per cavity, by its lowest new cell: cells before and cells now, ascending
 };
 
-/// Cells are the same where their vertices are: grains must not have been moved by whole periods between the two.
-CellMatch match_cells(const Triangulation& before, const Triangulation& now);
+/// Cells are the same where their vertices are.
+/// @param wraps  per grain: periods by which it was moved back into the box since `before`, which knows it where it would
+///               stand without; empty: none was
+CellMatch match_cells(const Triangulation& before, const Triangulation& now,
+                      std::span<const std::array<std::int8_t, 3>> wraps = {});
 
 /// Brings an amount that cells hold from one triangulation to the next: a cell that stays keeps its own to the last bit, a
 /// cavity shares its sum by void volume, so that the sum of all stays and in a cavity no cell is fuller than another.

@@ -75,31 +75,6 @@ Shift operator-(const Shift& a, const Shift& b) {
 
 using CellVertices = std::array<Vertex, 4>;
 
-/// A cell moved by whole periods to the place where its first grain is unshifted; where the first
-/// grain occurs more than once, the least of the candidates. Every image of a cell has the same key.
-struct CanonicalCell {
-  CellVertices vertices;
-  Shift shift{};  ///< how far the given cell lies from the canonical one
-};
-
-CanonicalCell canonical(const CellVertices& cell) {
-  int first = -1;
-  for (const Vertex& v : cell)
-    if (!v.is_wall() && (first < 0 || v.index < first)) first = v.index;
-  CanonicalCell best;
-  bool found = false;
-  for (const Vertex& origin : cell) {
-    if (origin.index != first) continue;
-    CanonicalCell candidate{cell, origin.shift};
-    for (Vertex& v : candidate.vertices)
-      if (!v.is_wall()) v.shift = v.shift - origin.shift;
-    std::sort(candidate.vertices.begin(), candidate.vertices.end());
-    if (!found || candidate.vertices < best.vertices) best = candidate;
-    found = true;
-  }
-  return best;
-}
-
 CellVertices vertices_of(Regular::Cell_handle cell) {
   return {cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(), cell->vertex(3)->info()};
 }
@@ -288,6 +263,24 @@ class Builder {
 };
 
 }  // namespace
+
+CanonicalCell canonical(const std::array<Vertex, 4>& cell) {
+  int first = -1;
+  for (const Vertex& v : cell)
+    if (!v.is_wall() && (first < 0 || v.index < first)) first = v.index;
+  CanonicalCell best;
+  bool found = false;
+  for (const Vertex& origin : cell) {
+    if (origin.index != first) continue;
+    CanonicalCell candidate{cell, origin.shift};
+    for (Vertex& v : candidate.vertices)
+      if (!v.is_wall()) v.shift = v.shift - origin.shift;
+    std::sort(candidate.vertices.begin(), candidate.vertices.end());
+    if (!found || candidate.vertices < best.vertices) best = candidate;
+    found = true;
+  }
+  return best;
+}
 
 Triangulation triangulate(std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain) {
   assert(centre.size() == radius.size());

@@ -41,6 +41,14 @@ struct Triangulation {
   int cells() const { return static_cast<int>(vertices.size()); }
 };
 
+/// A cell as the triangulation lists it. Its images by whole periods are one cell: the one whose lowest grain is not moved
+/// stands for all; where that grain occurs more than once, the least of the candidates.
+struct CanonicalCell {
+  std::array<Vertex, 4> vertices;      ///< ascending
+  std::array<std::int8_t, 3> shift{};  ///< how far the given cell lies from the canonical one
+};
+CanonicalCell canonical(const std::array<Vertex, 4>& cell);
+
 /// Triangulates spheres (theory 3.1).
 ///
 /// @param centre  [m], inside the box (periodic directions included)

@@ -62,8 +62,8 @@ struct Worst {
 class Merger {
  public:
   Merger(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
-         std::span<const double> wide, std::span<const double> void_area, const MergeOptions& options)
-      : wide_(wide), void_area_(void_area), options_(options) {
+         std::span<const double> wide, std::span<const double> void_area, const MergeOptions& options, const StartingUnits& start)
+      : wide_(wide), void_area_(void_area), options_(options), kind_(start.kind.begin(), start.kind.end()) {
     units_.facets = facets;
     units_.unit.resize(to_size(cells));
     std::iota(units_.unit.begin(), units_.unit.end(), 0);
@@ -84,6 +84,7 @@ class Merger {
       update_radius(c);
       forced_ += is_nil(c);
     }
+    if (!start.unit.empty()) join_start(start);
   }
 
   MergedCells merge() {
@@ -126,6 +127,21 @@ class Merger {
     }
   }
 
+  void join_start(const StartingUnits& start) {
+    std::vector<int> holding;  // by the single cells, before any of them has grown
+    for (int f = 0; f < size_of(units_.facets); ++f) {
+      const auto& [a, b, shift, opposite] = units_.facets[to_size(f)];
+      if (a == b || start.unit[to_size(a)] < 0 || start.unit[to_size(a)] != start.unit[to_size(b)]) continue;
+      if (combine(start.cell_shift[to_size(a)], shift, start.cell_shift[to_size(b)]) != Shift{}) continue;
+      if (ratio(a, b, f) >= start.keep) holding.push_back(f);
+    }
+    for (const int f : holding)
+      if (units_.unit[to_size(units_.facets[to_size(f)].cell)] != units_.unit[to_size(units_.facets[to_size(f)].neighbour)])
+        merge_over(f);
+  }
+
+  bool may_merge(int u, int v) const { return kind_.empty() || kind_[to_size(u)] == kind_[to_size(v)]; }
+
   bool is_nil(int u) const { return units_.volume[to_size(u)] <= nil_volume_; }
 
   void update_radius(int u) {
@@ -147,7 +163,9 @@ class Merger {
       if (v == u) continue;
       const double r = ratio(u, v, f);
       const bool must = std::isinf(r);
-      if (!must && (r <= options_.ratio || units_.cells[to_size(u)] + units_.cells[to_size(v)] > options_.limit)) continue;
+      if (!must &&
+          (!may_merge(u, v) || r <= options_.ratio || units_.cells[to_size(u)] + units_.cells[to_size(v)] > options_.limit))
+        continue;
       const auto rank = static_cast<float>(r);
       if (rank < worst.ratio) continue;
       if (rank == worst.ratio) {  // facets come in ascending order
@@ -194,6 +212,7 @@ class Merger {
       for (std::size_t k = 0; k < 3; ++k)
         units_.cell_shift[to_size(c)][k] = static_cast<std::int8_t>(units_.cell_shift[to_size(c)][k] + move[k]);
     }
+    if (!kind_.empty() && is_nil(keep)) kind_[to_size(keep)] = kind_[to_size(gone)];
     units_.next_cell[to_size(units_.last_cell[to_size(keep)])] = gone;
     units_.last_cell[to_size(keep)] = units_.last_cell[to_size(gone)];
     units_.cells[to_size(keep)] += units_.cells[to_size(gone)];
@@ -242,6 +261,7 @@ class Merger {
   Units units_;
   std::span<const double> wide_, void_area_;
   MergeOptions options_;
+  std::vector<int> kind_;  // of each unit
   double nil_volume_ = 0.0;
   int forced_ = 0;
   std::vector<Worst> worst_;
@@ -251,8 +271,8 @@ class Merger {
 
 MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void,
                         std::span<const int> cell_faces, std::span<const double> wide, std::span<const double> void_area,
-                        const MergeOptions& options) {
-  return Merger(cells, facets, cell_void, cell_faces, wide, void_area, options).merge();
+                        const MergeOptions& options, const StartingUnits& start) {
+  return Merger(cells, facets, cell_void, cell_faces, wide, void_area, options, start).merge();
 }
 
 }  // namespace puadem

@@ -17,6 +17,17 @@ struct MergeOptions {
   std::span<const double> rank;  ///< per facet, in place of R_ij / min(R_i, R_j); empty: that ratio
 };
 
+/// Units that merging begins with, in place of single cells (theory 3.11).
+struct StartingUnits {
+  std::span<const int> unit;                               ///< per cell: cells of one unit begin together; -1: alone
+  std::span<const std::array<std::int8_t, 3>> cell_shift;  ///< per cell: where it lies in the frame of its unit, in periods
+  /// A starting unit falls apart at facets where 2 r* over the lesser radius of the two single cells, or the rank, has come
+  /// below this.
+  double keep = 0.8;
+  /// Per cell: units of different kinds stay apart, but for cells that have no void and must join.
+  std::span<const int> kind;
+};
+
 /// Partition of the cells into pore units.
 struct MergedCells {
   std::vector<int> unit;                               ///< of each cell; units are numbered by their lowest cell
@@ -34,8 +45,9 @@ struct MergedCells {
 /// @param cell_faces  facets and wall faces per cell
 /// @param wide        R_ij = 2 gamma / p_e = 2 r* per facet [m]
 /// @param void_area   per facet [m2]
+/// @param start       empty: every cell begins alone
 MergedCells merge_cells(int cells, std::span<const Facet> facets, std::span<const double> cell_void,
                         std::span<const int> cell_faces, std::span<const double> wide, std::span<const double> void_area,
-                        const MergeOptions& options);
+                        const MergeOptions& options, const StartingUnits& start = {});
 
 }  // namespace puadem

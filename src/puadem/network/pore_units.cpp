@@ -1,6 +1,7 @@
 #include "puadem/network/pore_units.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "puadem/base/error.hpp"
@@ -14,6 +15,10 @@ namespace puadem {
 namespace {
 
 using Shift = std::array<std::int8_t, 3>;
+
+/// A unit falls apart this far below the ratio at which it would have merged, so that small motion does not merge and split
+/// it again and again.
+constexpr double split_margin = 0.1;
 
 /// Facets and wall faces of each cell.
 std::vector<int> count_faces(const Triangulation& triangulation) {
@@ -103,12 +108,39 @@ void select(FacetGeometry& g, const std::vector<int>& kept) {
   select(g.kind, kept);
 }
 
-}  // namespace
+/// What merging starts from when a network is made anew.
+struct FormerUnits {
+  std::vector<int> unit, kind;
+  std::vector<Shift> cell_shift;
+};
 
-PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain,
-                               const NetworkOptions& options) {
+FormerUnits former_units(const PoreNetwork& before, std::span<const int> kind, const CellMatch& match) {
+  FormerUnits former;
+  former.unit.assign(match.before.size(), -1);
+  former.cell_shift.resize(match.before.size());
+  if (!kind.empty()) former.kind.resize(match.before.size());
+  for (std::size_t c = 0; c < match.before.size(); ++c) {
+    if (match.before[c] < 0) continue;
+    const auto old = to_size(match.before[c]);
+    former.unit[c] = before.tetrahedron_pore[old];
+    for (std::size_t k = 0; k < 3; ++k)
+      former.cell_shift[c][k] = static_cast<std::int8_t>(before.tetrahedron_shift[old][k] + match.shift[c][k]);
+    if (!kind.empty()) former.kind[c] = kind[to_size(former.unit[c])];
+  }
+  if (kind.empty()) return former;
+  for (int cavity = 0; cavity < match.appeared.rows(); ++cavity) {
+    int highest = std::numeric_limits<int>::min();
+    for (const int c : match.vanished[cavity]) highest = std::max(highest, kind[to_size(before.tetrahedron_pore[to_size(c)])]);
+    for (const int c : match.appeared[cavity]) former.kind[to_size(c)] = highest;
+  }
+  return former;
+}
+
+/// Units, throats and geometry upon a triangulation.
+PoreNetwork network_of(Triangulation mesh, const FormerUnits& former, std::span<const Vec3> centre,
+                       std::span<const double> radius, const Domain& domain, const NetworkOptions& options) {
   PoreNetwork network;
-  network.triangulation = triangulate(centre, radius, domain);
+  network.triangulation = std::move(mesh);
   const Triangulation& triangulation = network.triangulation;
   const PackingSites sites_of(centre, radius, domain);
   const CellGeometry cells = measure_cells(triangulation, sites_of);
@@ -126,13 +158,30 @@ PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const dou
     merging.ratio = 0.0;
     merging.rank = overlap;
   }
+  const StartingUnits start{former.unit, former.cell_shift, merging.ratio - split_margin, former.kind};
   lay_out_pores(network, merge_cells(triangulation.cells(), facets, cells.void_volume, count_faces(triangulation), wide,
-                                     geometry.void_area, merging));
+                                     geometry.void_area, merging, start));
   select(geometry, lay_out_throats(network, facets));
 
   set_pore_geometry(network, cells, sites_of, options.pore_shape);
   set_throat_geometry(network, std::move(geometry), sites_of, options);
   return network;
+}
+
+}  // namespace
+
+PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain,
+                               const NetworkOptions& options) {
+  return network_of(triangulate(centre, radius, domain), {}, centre, radius, domain, options);
+}
+
+RebuiltNetwork rebuild_pore_network(const PoreNetwork& before, std::span<const int> kind, std::span<const Shift> wraps,
+                                    std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain,
+                                    const NetworkOptions& options) {
+  Triangulation mesh = triangulate(centre, radius, domain);
+  CellMatch match = match_cells(before.triangulation, mesh, wraps);
+  const FormerUnits former = former_units(before, kind, match);
+  return {network_of(std::move(mesh), former, centre, radius, domain, options), std::move(match)};
 }
 
 }  // namespace puadem

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 
+#include "puadem/geometry/cell_match.hpp"
 #include "puadem/geometry/domain.hpp"
 #include "puadem/network/network_options.hpp"
 #include "puadem/network/pore_network.hpp"
@@ -16,5 +19,22 @@ namespace puadem {
 /// @throws NumericalError  where overlapping grains leave no void
 PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain,
                                const NetworkOptions& options);
+
+/// A network made anew for grains that have moved, and how its cells follow from the former ones.
+struct RebuiltNetwork {
+  PoreNetwork network;
+  CellMatch match;
+};
+
+/// New triangulation; its units are the former ones as far as their cells stand (theory 3.11). They fall apart where they have
+/// become too narrow, new cells join them, and whatever now qualifies merges. Without motion nothing changes.
+///
+/// @param kind  per pore of `before`, such as the fluids in it: units of different kinds stay apart. A new cell has the
+///              highest kind among the cells whose place it takes. Empty: all are alike
+/// @param wraps  per grain: periods by which it was moved back into the box since `before`; empty: none was
+/// @throws as `build_pore_network`
+RebuiltNetwork rebuild_pore_network(const PoreNetwork& before, std::span<const int> kind,
+                                    std::span<const std::array<std::int8_t, 3>> wraps, std::span<const Vec3> centre,
+                                    std::span<const double> radius, const Domain& domain, const NetworkOptions& options);
 
 }  // namespace puadem
