@@ -140,7 +140,7 @@ TEST(Rebuild, UnitsOfDifferentKindsStayApart) {
   const PoreNetwork before = built(s);
   std::vector<int> kind;
   for (int p = 0; p < before.pores(); ++p) kind.push_back(p % 2);
-  Spheres moved = shaken(s, 0.01, 2);
+  Spheres moved = shaken(s, 0.06, 2);
   const auto wraps = wrap(moved);
   const RebuiltNetwork now = rebuild_pore_network(before, kind, wraps, moved.centre, moved.radius, moved.domain, {});
   ASSERT_GT(now.match.appeared.rows(), 0);
