@@ -51,6 +51,10 @@ nonwetting = { viscosity = "18 uPa s" }
 entry_pressure = "haines"
 merge_ratio = "none"
 merge_limit = 9
+pore_shape = "vertices"
+throat_section = "window"
+no_slip = ["top", "y-"]
+conductance_limits = [1e-3, 50]
 [[stage]]
 kind = "compact"
 stress = "5 kPa"
@@ -130,6 +134,11 @@ bool same(const NetworkOptions& a, const NetworkOptions& b) {
          merge_limit == b.merge_limit && no_slip == b.no_slip && merge_criterion == b.merge_criterion &&
          pore_shape == b.pore_shape && throat_section == b.throat_section;
 }
+bool same(const PoreOptions& a, const PoreOptions& b) {
+  const auto &x = a.conductance_limits, &y = b.conductance_limits;
+  return same(static_cast<const NetworkOptions&>(a), b) && x.has_value() == y.has_value() &&
+         (!x || (x->low == y->low && x->high == y->high));
+}
 bool same(const CompactStage& a, const CompactStage& b) {
   const auto& [stress, porosity, friction_angle, region, unbalanced, damping] = a;
   return stress == b.stress && porosity == b.porosity && friction_angle == b.friction_angle && region == b.porosity_region &&
@@ -142,6 +151,10 @@ bool same(const InvasionOptions& a, const InvasionOptions& b) {
          trap_nonwetting == b.trap_nonwetting && films == b.corner_films && corner_water == b.corner_water &&
          wall_throats == b.wall_throats && body_entry == b.body_entry && side_pores == b.side_pores &&
          trap_check == b.trap_check && law.index() == b.retention_law.index();
+}
+bool same(const PermeabilityStage& a, const PermeabilityStage& b) {
+  const auto& [inlet, pressure_drop, merged, layers] = a;
+  return inlet == b.inlet && pressure_drop == b.pressure_drop && merged == b.merged && layers == b.layers;
 }
 bool same(const RetentionStage& a, const RetentionStage& b) {
   const auto& [path, step, invasion] = a;
@@ -197,7 +210,8 @@ bool same(const std::optional<T>& a, const std::optional<T>& b) {
   return a.has_value() == b.has_value() && (!a || same(*a, *b));
 }
 bool same(const Case& a, const Case& b) {
-  const auto& [title, seed, domain, grains, materials, contact, motion, fluids, pores, stages, output, overlays, expected] = a;
+  const auto& [title, seed, domain, grains, network_file, materials, contact, motion, fluids, pores, stages, output, overlays,
+               expected] = a;
   const auto& [size, shape, periodic] = domain;
   const auto& [file, count, grading, material, mixture, cloud, clump_size] = grains;
   const auto& [by, classes, table, lognormal] = grading;
@@ -207,11 +221,12 @@ bool same(const Case& a, const Case& b) {
          periodic == b.domain.periodic && file == b.grains.file && count == b.grains.count && by == b.grains.grading.by &&
          same(classes, b.grains.grading.classes) && same(table, b.grains.grading.table) &&
          same(lognormal, b.grains.grading.lognormal) && material == b.grains.material && same(mixture, b.grains.materials) &&
-         cloud == b.grains.cloud && clump_size == b.grains.clump_size && same(materials, b.materials) &&
-         same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) && same(stages, b.stages) &&
-         fields == b.output.fields && fields_every == b.output.fields_every && fields_count == b.output.fields_count &&
-         history_rows == b.output.history_rows && gravity == b.motion.gravity && safety == b.motion.safety &&
-         same(overlays, b.overlays) && std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
+         network_file == b.network_file && cloud == b.grains.cloud && clump_size == b.grains.clump_size &&
+         same(materials, b.materials) && same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) &&
+         same(stages, b.stages) && fields == b.output.fields && fields_every == b.output.fields_every &&
+         fields_count == b.output.fields_count && history_rows == b.output.history_rows && gravity == b.motion.gravity &&
+         safety == b.motion.safety && same(overlays, b.overlays) &&
+         std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
            return x.first == y.first && x.second.low == y.second.low && x.second.high == y.second.high;
          });
 }
@@ -250,6 +265,13 @@ TEST(CaseFile, FillsEveryField) {
   EXPECT_EQ(c.pores.contact_angle, c.fluids.contact_angle);
   EXPECT_EQ(c.pores.merge_ratio, std::numeric_limits<double>::infinity());
   EXPECT_EQ(c.pores.merge_limit, 9);
+  EXPECT_EQ(c.pores.merge_criterion, MergeCriterion::entry_ratio);
+  EXPECT_EQ(c.pores.pore_shape, PoreShape::vertices);
+  EXPECT_EQ(c.pores.throat_section, ThroatOutline::window);
+  EXPECT_EQ(c.pores.no_slip, (std::array<bool, 6>{false, false, true, false, false, true}));
+  ASSERT_TRUE(c.pores.conductance_limits);
+  EXPECT_EQ(c.pores.conductance_limits->low, 1e-3);
+  EXPECT_EQ(c.pores.conductance_limits->high, 50);
   ASSERT_EQ(c.stages.size(), 2U);
   EXPECT_TRUE(same(std::get<CompactStage>(c.stages[0]), {5e3, 0.36, {}, CompactStage::Region::box, 1e-4, 0.2}));
   const auto& retention = std::get<RetentionStage>(c.stages[1]);
@@ -401,6 +423,15 @@ TEST(ResolvedCase, ReadsBackToTheSameCase) {
   EXPECT_EQ(resolved_case(back), resolved_case(c));
 }
 
+TEST(CaseFile, ReadsAPermeabilityStage) {
+  const Case c = read(beads +
+                      "[[stage]]\nkind = \"permeability\"\n[[stage]]\nkind = \"permeability\"\ninlet = \"x-\"\npressure_drop = "
+                      "\"2 kPa\"\nmerged = true\nlayers = 7\n");
+  EXPECT_TRUE(same(std::get<PermeabilityStage>(c.stages[2]), PermeabilityStage{}));
+  EXPECT_TRUE(same(std::get<PermeabilityStage>(c.stages[3]), {0, 2000.0, true, 7}));
+  EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/elsewhere").c, c));
+}
+
 TEST(ResolvedCase, OfAPackingFileReadsBack) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "p.csv") << "# box 1 1 1\n";
@@ -412,6 +443,14 @@ TEST(ResolvedCase, OfAPackingFileReadsBack) {
   EXPECT_EQ(c.grains.file, folder.path / "p.csv");
   EXPECT_EQ(c.domain.periodic, (std::array<bool, 3>{true, true, false}));
   EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/elsewhere").c, c));
+}
+
+TEST(ResolvedCase, OfOverlappingInspheresHasNoRatio) {
+  std::string text = beads;
+  text.replace(text.find("merge_ratio = \"none\""), 20, "merge_criterion = \"insphere-overlap\"");
+  const Case c = read(text);
+  EXPECT_EQ(c.pores.merge_criterion, MergeCriterion::insphere_overlap);
+  EXPECT_TRUE(same(parse_case(resolved_case(c), "resolved", "/").c, c));
 }
 
 TEST(ResolvedCase, KeepsABoxOfGivenSize) {
@@ -456,9 +495,9 @@ TEST(Keys, DescribeWhatTheReaderAccepts) {
   }
   // Every key that a full resolved case writes is documented.
   const std::string resolved = resolved_case(read(beads, {"contact.restitution=0.8"}));
-  for (const char* key :
-       {"domain.periodic", "grains.grading.classes[].diameter", "materials.NAME.friction_angle", "stage[compact].stress",
-        "stage[retention].retention_law", "contact.restitution", "fluids.nonwetting.viscosity", "output.fields_every"}) {
+  for (const char* key : {"domain.periodic", "grains.grading.classes[].diameter", "materials.NAME.friction_angle",
+                          "stage[compact].stress", "stage[retention].retention_law", "contact.restitution",
+                          "fluids.nonwetting.viscosity", "pores.no_slip", "pores.conductance_limits", "output.fields_every"}) {
     EXPECT_TRUE(names.contains(key)) << key;
     const std::string path = key;
     EXPECT_THAT(resolved, HasSubstr(fmt::format("\n{} = ", path.substr(path.rfind('.') + 1)))) << key;

@@ -103,6 +103,17 @@ TEST(VtkWriter, PointsWithoutLinesAreCellsOfTheirOwn) {
   EXPECT_EQ(read.arrays.at("Verts/offsets").values, (std::vector<double>{1, 2}));
 }
 
+TEST(VtkWriter, VectorsHaveThreeComponents) {
+  VtkPolyData data;
+  data.points = {{0, 0, 0}, {1, 0, 0}};
+  data.point_data = {{"velocity", std::vector<Vec3>{{1, 2, 3}, {-4, 5e-9, 6}}}};
+  const VtpReader file(vtp_bytes(data));
+  const auto& velocity = file.arrays.at("PointData/velocity");
+  EXPECT_EQ(velocity.type, "Float64");
+  EXPECT_EQ(velocity.components, 3);
+  EXPECT_EQ(velocity.values, (std::vector<double>{1, 2, 3, -4, 5e-9, 6}));
+}
+
 TEST(VtkWriter, WritesNothingAsAnEmptyPiece) {
   const VtpReader read(vtp_bytes({}));
   EXPECT_EQ(read.counts.at("NumberOfPoints"), 0);
@@ -124,6 +135,22 @@ TEST(VtkFields, GrainsAndPoresCarryTheirSizes) {
   EXPECT_EQ(pores.arrays.at("PointData/radius").values, run.state.network.pore_radius);
   EXPECT_EQ(pores.arrays.at("PointData/volume").values, run.state.network.pore_volume);
   EXPECT_EQ(pores.arrays.at("PointData/saturation").values, run.state.saturation);
+}
+
+TEST(VtkFields, FluxPointsTheWayOfTheFlow) {
+  PoreNetwork n;
+  n.pore_centre = {{0.1, 0, 0}, {0.9, 0, 0}};
+  n.pore_volume = n.pore_radius = {1, 1};
+  n.throat_pores = {{0, 1}, {0, 1}};
+  n.throat_shift = {{0, 0, 0}, {-1, 0, 0}};  // the second throat leads the other way, across the face
+  n.throat_radius = {0.1, 0.1};
+  n.throat_area = {0.5, 0.25};
+  const std::vector<double> pressure{3, 1}, flow{2, 2};
+  Domain domain;
+  domain.upper = {1, 1, 1};
+  const VtkPolyData throats = flow_throat_fields({n, pressure, flow}, domain);
+  EXPECT_EQ(std::get<std::vector<Vec3>>(throats.cell_data[1].values), (std::vector<Vec3>{{4, 0, 0}, {-8, 0, 0}}));
+  EXPECT_EQ(std::get<std::vector<double>>(flow_pore_fields({n, pressure, flow}).point_data[2].values), pressure);
 }
 
 TEST(VtkFields, ThroatsJoinTheirPores) {

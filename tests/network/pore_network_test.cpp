@@ -226,6 +226,10 @@ TEST(PoreNetwork, ASquareWindowIsEnteredAsAWhole) {
       EXPECT_NEAR(windows.throat_radius[to_size(t)], std::sqrt(2.0) - 1, 1e-12);
       EXPECT_NEAR(windows.throat_snap_off_radius[to_size(t)], std::sqrt(2.0) - 1, 1e-12);
     }
+    EXPECT_EQ(facets.windows, 0);
+    if (periodic[0]) {
+      EXPECT_EQ(windows.windows, 27 * 3);
+    }
     EXPECT_EQ(squares, periodic[0] ? 27 * 3 * 2 : 2 * 2 * 3 * 3 * 2);
   }
 }

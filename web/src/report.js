@@ -2,6 +2,7 @@
 import { distributionFigures } from "./distributions.js";
 import { element, label, number, table } from "./dom.js";
 import { loadingSections } from "./loading.js";
+import { permeabilitySection } from "./permeability.js";
 import { fitTable, loopTable, retentionFigure } from "./retention.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -73,6 +74,11 @@ function build() {
     figures.push(...drawn);
     page.append(section(title, grid("pair", drawn.map((f) => f.node))));
     ++next;
+  }
+  if (data.permeability.length > 0) {
+    const flow = permeabilitySection(data.permeability, next++);
+    figures.push(...flow.figures);
+    page.append(section("Permeability", flow.nodes));
   }
   if (runs.some((run) => run.branches.length > 0)) {
     const loop = retentionFigure(runs, next++);

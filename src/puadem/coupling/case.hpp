@@ -17,6 +17,7 @@
 #include "puadem/dem/packing.hpp"
 #include "puadem/flow/fluids.hpp"
 #include "puadem/flow/invasion.hpp"
+#include "puadem/flow/single_phase_flow.hpp"
 #include "puadem/network/pore_units.hpp"
 
 namespace puadem {
@@ -119,15 +120,32 @@ struct RetentionStage {
   InvasionOptions invasion;
 };
 
+/// Stage "permeability": one fluid driven along every axis of the box, grains fixed.
+struct PermeabilityStage {
+  static constexpr std::string_view kind = "permeability";
+  int inlet = 5;                  ///< face from which fluid is driven through the box for fields and profile
+  double pressure_drop = 1000.0;  ///< over the box, along that axis [Pa]
+  bool merged = false;            ///< on merged pore units, which have no resistance inside
+  int layers = 20;                ///< of the profile
+};
+
 using Stage = std::variant<CompactStage, IsotropicStage, OedometerStage, TriaxialStage, ShearStage, SettleStage, StrainStage,
-                           RetentionStage>;
+                           PermeabilityStage, RetentionStage>;
+
+/// Does this stage put fluid into the pores of grains that stand? It then needs a network, made or from a file.
+template <class S>
+inline constexpr bool is_flowing = std::is_same_v<S, PermeabilityStage> || std::is_same_v<S, RetentionStage>;
 
 /// Does this stage load the grains that another one, or a file, has made?
 template <class S>
-inline constexpr bool is_loading = !std::is_same_v<S, CompactStage> && !std::is_same_v<S, RetentionStage>;
+inline constexpr bool is_loading = !std::is_same_v<S, CompactStage> && !is_flowing<S>;
 
 inline std::string_view kind_of(const Stage& stage) {
   return std::visit([](const auto& s) { return std::decay_t<decltype(s)>::kind; }, stage);
+}
+
+inline bool puts_fluid(const Stage& stage) {
+  return std::visit([](const auto& s) { return is_flowing<std::decay_t<decltype(s)>>; }, stage);
 }
 
 /// How grains are moved, in every stage.
@@ -155,17 +173,23 @@ struct Expected {
   double high = std::numeric_limits<double>::infinity();
 };
 
+/// How grains become pores and throats, and bounds on what throats conduct.
+struct PoreOptions : NetworkOptions {
+  std::optional<ConductanceLimits> conductance_limits;
+};
+
 /// Everything a run needs, in SI units: the resolved case file.
 struct Case {
   std::string title = "untitled";
   std::uint64_t seed = 1;
   DomainOptions domain;
   GrainOptions grains;
+  std::optional<std::filesystem::path> network_file;  ///< a network in place of grains
   std::vector<Material> materials;
   ContactOptions contact;
   MotionCase motion;
   Fluids fluids;
-  NetworkOptions pores;
+  PoreOptions pores;
   std::vector<Stage> stages;
   OutputOptions output;
   std::vector<Overlay> overlays;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <numeric>
 
 #include "puadem/base/error.hpp"
@@ -18,10 +19,16 @@ constexpr std::size_t faults_shown = 5;
 
 }  // namespace
 
-PoreNetwork checked_network(const Case& c, const State& state, const Observer& observer) {
+PoreNetwork checked_network(const Case& c, const State& state, const Observer& observer, bool merged) {
+  require(state.particles.size() > 0,
+          "this stage needs a packing: put a stage of kind 'compact' before it or name a packing file in grains.file");
   const auto& [centre, radius] = std::tie(state.particles.position, state.particles.radius);
   NetworkOptions options = c.pores;
   options.contact_angle = c.fluids.contact_angle;
+  if (!merged) {
+    options.merge_criterion = MergeCriterion::entry_ratio;
+    options.merge_ratio = std::numeric_limits<double>::infinity();
+  }
   PoreNetwork network = build_pore_network(centre, radius, state.domain, options);
 
   const std::vector<std::string> faults = find_network_faults(network, centre, radius, state.domain);

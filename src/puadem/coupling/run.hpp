@@ -30,9 +30,10 @@ struct Observer {
   std::function<void(std::string_view)> message;
   std::function<void(const State&)>
       packed;  ///< a stage has moved the grains for good; where the next needs one, their network is made
-  std::function<void(const State&, const HistoryRow&)> history;        ///< a row of a stage that loads the grains
-  std::function<void(const State&, const RetentionRow&)> equilibrium;  ///< one retention row is reached
-  std::function<void(const State&, const InvasionEvent&)> event;       ///< one invasion event has happened
+  std::function<void(const State&, const HistoryRow&)> history;  ///< a row of a stage that loads the grains
+  std::function<void(const State&, const DrivenFlow&, const PermeabilityResult&)> permeability;  ///< a stage has measured it
+  std::function<void(const State&, const RetentionRow&)> equilibrium;                            ///< one retention row is reached
+  std::function<void(const State&, const InvasionEvent&)> event;  ///< one invasion event has happened
 };
 
 /// Fluid volumes that a stage moved, summed event by event, against what the state holds.

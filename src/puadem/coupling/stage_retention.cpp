@@ -1,10 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <ranges>
 #include <span>
 
-#include "puadem/base/error.hpp"
 #include "puadem/coupling/checked_network.hpp"
 #include "puadem/coupling/stages.hpp"
 #include "puadem/flow/retention_path.hpp"
@@ -26,6 +27,7 @@ void describe_network(const PoreNetwork& network, const InvasionState& invasion,
   s["tetrahedra"] = network.triangulation.cells();
   s["pores"] = network.pores();
   s["throats"] = network.throats();
+  s["throat_windows"] = network.windows;
   s["pores_reservoir"] =
       network.pores() - static_cast<int>(std::ranges::count_if(std::views::iota(0, network.pores()),
                                                                [&](int p) { return !invasion.is_reservoir(p); }));
@@ -50,7 +52,7 @@ void describe_curves(const std::vector<RetentionRow>& rows, RunResults& results)
     if (const auto half = capillary_pressure_at(branch, 0.5)) {
       s["pc_half_" + name + "_Pa"] = *half;
       const auto& scale = branch.front().capillary_pressure > 0.0 ? branch.front() : branch.back();
-      s["pc_star_half_" + name] = *half * scale.pc_star / scale.capillary_pressure;
+      if (scale.pc_star > 0.0) s["pc_star_half_" + name] = *half * scale.pc_star / scale.capillary_pressure;
     }
     s["saturation_end_" + name] = branch.back().saturation;
     s["trapped_wetting_end_" + name] = branch.back().trapped_wetting;
@@ -65,8 +67,6 @@ void describe_curves(const std::vector<RetentionRow>& rows, RunResults& results)
 
 void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer,
                          RunResults& results) {
-  require(state.particles.size() > 0,
-          "a retention stage needs a packing: put a stage of kind 'compact' before it or name a packing file in grains.file");
   const auto report = [&](std::string_view name, double fraction, double pressure, double saturation) {
     Progress progress;
     progress.stage = name;
@@ -78,7 +78,7 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   };
 
   report("network", 0.0, 0.0, 1.0);
-  state.network = checked_network(c, state, observer);
+  if (!c.network_file) state.network = checked_network(c, state, observer, true);
   state.invasion = start_invasion(state.network, c.fluids, stage.invasion);
   state.saturation = saturation(state.network, *state.invasion);
   state.retention.clear();
@@ -93,8 +93,9 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   RetentionPath path;
   path.turning_points = stage.path;
   path.step = stage.step;
-  path.mean_grain_radius =
-      std::accumulate(state.particles.radius.begin(), state.particles.radius.end(), 0.0) / state.particles.size();
+  if (state.particles.size() > 0)
+    path.mean_grain_radius =
+        std::accumulate(state.particles.radius.begin(), state.particles.radius.end(), 0.0) / state.particles.size();
   const auto stops = static_cast<double>(retention_stops(path).size());
   std::array<int, invasion_event_kinds> events{};
   follow_path(

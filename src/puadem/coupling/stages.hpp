@@ -17,6 +17,10 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
 /// @throws NumericalError  from the grain engine, or where a stage does not come to its end
 void run_loading_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
 
+/// Permeability of the box, and fluid driven through it along one axis. `index` of the stage in the case.
+/// @throws InputError, NumericalError as `build_pore_network` and `measure_permeability`
+void run_permeability_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
+
 /// Pore network of the grains as they lie, then the capillary pressures of the path.
 /// @throws InputError, NumericalError as `checked_network`, `start_invasion` and `follow_path`
 void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer, RunResults& results);

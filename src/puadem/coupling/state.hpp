@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "puadem/coupling/history.hpp"
+#include "puadem/coupling/permeability_result.hpp"
 #include "puadem/dem/grain_system.hpp"
 #include "puadem/dem/particles.hpp"
 #include "puadem/flow/invasion.hpp"
@@ -19,12 +20,14 @@ struct State {
   double time = 0.0;  ///< [s]
   Domain domain;
   Particles particles;
-  std::optional<GrainSystem> grains;      ///< what the engine holds between stages; `particles` is kept in step with it
-  std::vector<HistoryRow> history;        ///< of the stages that loaded the grains
-  PoreNetwork network;                    ///< empty until a stage needs it
-  std::optional<InvasionState> invasion;  ///< both fluids in the network, once a retention stage has begun
-  std::vector<double> saturation;         ///< per pore, wetting fluid [-]
-  std::vector<RetentionRow> retention;    ///< equilibria so far
+  std::optional<GrainSystem> grains;             ///< what the engine holds between stages; `particles` is kept in step with it
+  std::vector<HistoryRow> history;               ///< of the stages that loaded the grains
+  PoreNetwork network;                           ///< of the grains as they lie, or from a file; empty until a stage needs it
+  int reservoir_pores = 0;                       ///< last pores of a network from a file that stand for its inlet and outlet
+  std::vector<PermeabilityResult> permeability;  ///< of the stages so far
+  std::optional<InvasionState> invasion;         ///< both fluids in the network, once a retention stage has begun
+  std::vector<double> saturation;                ///< per pore, wetting fluid [-]
+  std::vector<RetentionRow> retention;           ///< equilibria so far
 };
 
 }  // namespace puadem

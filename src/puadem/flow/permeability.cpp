@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "puadem/base/error.hpp"
+
 namespace puadem {
 
 namespace {
@@ -21,14 +23,26 @@ Vec3 mean_flux(const PoreNetwork& network, const Domain& domain, const FlowGraph
   return sum / domain.volume();
 }
 
+/// Periodic, or with pores at both faces.
+bool can_be_driven(const PoreNetwork& network, const Domain& domain, int axis) {
+  if (domain.periodic[to_size(axis)]) return true;
+  std::uint8_t touched = 0;
+  for (const std::uint8_t walls : network.pore_walls) touched |= walls;
+  return (touched >> (2 * axis) & 3u) == 3u;
+}
+
 }  // namespace
 
 Permeability measure_permeability(const PoreNetwork& network, const Domain& domain, const PressureSolverOptions& solver,
-                                  const std::optional<ConductanceLimits>& limits) {
+                                  const std::optional<ConductanceLimits>& limits, const AxisFlowCallback& on_axis) {
   Permeability k;
   SinglePhaseMemory memory;
   memory.solver = solver;
+  for (int axis = 0; axis < 3; ++axis) k.measured[to_size(axis)] = can_be_driven(network, domain, axis);
+  require(k.measured != std::array<bool, 3>{},
+          "no axis is periodic or has pores at both its faces: fluid can be driven through this network along none");
   for (int axis = 0; axis < 3; ++axis) {
+    if (!k.measured[to_size(axis)]) continue;
     SinglePhaseProblem problem;
     problem.viscosity = 1.0;  // and a gradient of 1 Pa/m against the axis: the flux is the permeability
     problem.conductance_limits = limits;
@@ -45,10 +59,14 @@ Permeability measure_permeability(const PoreNetwork& network, const Domain& doma
     if (!domain.periodic[to_size(axis)]) flux[axis] = flow.face_inflow[low] * length / domain.volume();
     for (int a = 0; a < 3; ++a) k.tensor[to_size(a)][axis] = flux[a];
     k.imbalance = std::max(k.imbalance, flow.imbalance);
+    k.carried = std::max(k.carried, flow.carried);
     k.iterations += flow.solve.iterations;
     k.joined = flow.joined;
     k.limited_low = flow.limited_low;
     k.limited_high = flow.limited_high;
+    k.unknowns = std::max(k.unknowns, memory.system->unknowns());
+    k.is_factorised = memory.system->is_factorised();
+    if (on_axis) on_axis(axis, flow);
   }
   return k;
 }

@@ -97,6 +97,17 @@ void check_grains(const TomlValue& tree, const Case& c, Problems& problems) {
     check_grading(tree, c, problems);
 }
 
+void check_pores(const TomlValue& tree, const Case& c, Problems& problems) {
+  if (c.pores.merge_criterion == MergeCriterion::insphere_overlap && has(tree, "pores", "merge_ratio"))
+    problems.error(place_of_key(tree, {"pores", "merge_ratio"}),
+                   "pores.merge_ratio is not used with pores.merge_criterion = \"insphere-overlap\"; remove it");
+  for (int face = 0; face < 6; ++face)
+    if (c.pores.no_slip[to_size(face)] && c.domain.periodic[to_size(axis_of(face))])
+      problems.error(place_of_key(tree, {"pores", "no_slip"}),
+                     fmt::format("pores.no_slip: \"{}\" is no wall: the direction {} is periodic", face_names[to_size(face)],
+                                 "xyz"[axis_of(face)]));
+}
+
 /// The error of a name that no material has.
 std::string no_material(const std::string& name, std::string_view user, const std::vector<std::string>& names) {
   return fmt::format("no table [materials.{}] for {}; defined: {}{}", name, user, joined(names), did_you_mean(name, names));
@@ -131,8 +142,7 @@ void check_materials(const TomlValue& tree, Case& c, Problems& problems) {
   if (has(tree, "grains", "materials")) return check_mixture(tree, c, names, problems);
   if (std::ranges::find(names, c.grains.material) != names.end()) return;
   const bool is_named = has(tree, "grains", "material");
-  if (c.materials.empty() && !is_named &&
-      std::ranges::all_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); })) {
+  if (c.materials.empty() && !is_named && std::ranges::all_of(c.stages, puts_fluid)) {
     c.materials.emplace_back().name = c.grains.material;
     return;
   }
@@ -180,6 +190,12 @@ void check_stage(const CompactStage& stage, const StageContext& at, Problems& pr
       problems.warning(at.value_place("stress"),
                        fmt::format("stage.{}.stress is {:.2g} of the modulus of {}: grains will overlap deeply", at.index,
                                    stage.stress / m.youngs_modulus, m.name));
+}
+
+void check_stage(const PermeabilityStage& stage, const StageContext& at, Problems& problems) {
+  if (at.c.network_file && stage.merged)
+    problems.error(at.value_place("merged"),
+                   fmt::format("stage.{}.merged is not used with network.file: its pores are taken as they are", at.index));
 }
 
 void check_stage(const RetentionStage& stage, const StageContext& at, Problems& problems) {
@@ -308,6 +324,7 @@ void check_case(const TomlValue& tree, Case& c, Problems& problems) {
   problems.key.clear();
   check_domain(tree, c, problems);
   check_grains(tree, c, problems);
+  check_pores(tree, c, problems);
   check_materials(tree, c, problems);
   check_stages(tree, c, problems);
   check_overlays(tree, c, problems);

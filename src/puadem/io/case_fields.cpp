@@ -184,6 +184,13 @@ void read_value(const TomlValue& value, const KeyInfo& info, Problems& problems,
     if (const auto index = read_choice(child, info, problems)) out[to_size(*index)] = true;
 }
 
+void read_value(const TomlValue& value, const KeyInfo& info, Problems& problems, std::array<bool, 6>& out) {
+  if (!expect_list(value, info, problems)) return;
+  out = {};
+  for (const TomlValue& child : value.children)
+    if (const auto face = read_face(child, info, problems)) out[to_size(*face)] = true;
+}
+
 std::optional<int> read_choice(const TomlValue& value, const KeyInfo& info, Problems& problems) {
   if (value.kind != Kind::text) {
     problems.error(value.place,
@@ -238,12 +245,20 @@ std::string write_value(const KeyInfo&, const std::filesystem::path& value) {
 }
 std::string write_value(const KeyInfo&, const Vec3& value) { return fmt::format("[{}, {}, {}]", value.x, value.y, value.z); }
 std::string write_value(const KeyInfo&, const std::vector<double>& value) { return fmt::format("[{}]", fmt::join(value, ", ")); }
-std::string write_value(const KeyInfo& info, const std::array<bool, 3>& value) {
+
+namespace {
+
+std::string write_chosen(const KeyInfo& info, std::span<const bool> value) {
   std::vector<std::string> chosen;
-  for (int axis = 0; axis < 3; ++axis)
-    if (value[to_size(axis)]) chosen.push_back(toml_text(info.choices[to_size(axis)]));
+  for (std::size_t k = 0; k < value.size(); ++k)
+    if (value[k]) chosen.push_back(toml_text(info.choices[k]));
   return fmt::format("[{}]", joined(chosen));
 }
+
+}  // namespace
+
+std::string write_value(const KeyInfo& info, const std::array<bool, 3>& value) { return write_chosen(info, value); }
+std::string write_value(const KeyInfo& info, const std::array<bool, 6>& value) { return write_chosen(info, value); }
 
 void report_unknown_key(const TomlValue& entry, std::span<const std::string> known, Problems& problems) {
   const std::string suggestion = did_you_mean(entry.key, known);

@@ -81,6 +81,7 @@ void read_value(const TomlValue& value, const KeyInfo& info, Problems& problems,
 void read_value(const TomlValue& value, const KeyInfo& info, Problems& problems, Vec3& out);
 void read_value(const TomlValue& value, const KeyInfo& info, Problems& problems, std::vector<double>& out);
 void read_value(const TomlValue& value, const KeyInfo& info, Problems& problems, std::array<bool, 3>& out);
+void read_value(const TomlValue& value, const KeyInfo& info, Problems& problems, std::array<bool, 6>& out);  ///< faces
 template <class X>
 void read_value(const TomlValue& value, const KeyInfo& info, Problems& problems, std::optional<X>& out) {
   X x{};
@@ -107,6 +108,7 @@ std::string write_value(const KeyInfo& info, const std::filesystem::path& value)
 std::string write_value(const KeyInfo& info, const Vec3& value);
 std::string write_value(const KeyInfo& info, const std::vector<double>& value);
 std::string write_value(const KeyInfo& info, const std::array<bool, 3>& value);
+std::string write_value(const KeyInfo& info, const std::array<bool, 6>& value);
 template <class X>
 std::string write_value(const KeyInfo& info, const std::optional<X>& value) {
   return value ? write_value(info, *value) : std::string();
@@ -139,8 +141,8 @@ Field<T> bind(KeyInfo info, Member member) {
 }
 
 /// Key that names one value of an enumeration, in the order of `info.choices`.
-template <class T, class E>
-Field<T> bind_choice(KeyInfo info, E T::*member) {
+template <class T, class Base, class E>
+Field<T> bind_choice(KeyInfo info, E Base::*member) {
   const auto read = [info, member](const TomlValue& value, Problems& problems, T& t) {
     if (const auto index = read_choice(value, info, problems)) t.*member = static_cast<E>(*index);
   };

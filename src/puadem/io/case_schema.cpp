@@ -60,7 +60,7 @@ const Section<MotionCase>& motion_section() {
   return section;
 }
 
-// [fluids], [pores]
+// [fluids]
 
 Section<Fluid> fluid_section(const Fluid& defaults) {
   Section<Fluid> section{{
@@ -92,21 +92,6 @@ const Section<Fluids>& fluids_section() {
       bind_table<Fluids>(plain("wetting", "a table", "the wetting fluid"), wetting_section, &Fluids::wetting),
       bind_table<Fluids>(plain("nonwetting", "a table", "the non-wetting fluid"), nonwetting_section, &Fluids::nonwetting),
   }};
-  return section;
-}
-
-const Section<NetworkOptions>& pores_section() {
-  static const Section<NetworkOptions> section = [] {
-    const auto entry =
-        bind_law<NetworkOptions, EntryLaw>("entry_pressure", "law of the entry pressure of a throat", &NetworkOptions::entry_law);
-    KeyInfo ratio = number("merge_ratio", above(0),
-                           "neighbouring pores merge where throat radius / smaller pore radius exceeds this; \"none\": never");
-    ratio.word_for_infinity = "none";
-    ratio.plausible = Interval{0.5, infinity, false, false};
-    return Section<NetworkOptions>{{entry, bind<NetworkOptions>(ratio, &NetworkOptions::merge_ratio),
-                                    bind<NetworkOptions>(whole("merge_limit", 1, 1e6, "most tetrahedra in one pore unit", "20"),
-                                                         &NetworkOptions::merge_limit)}};
-  }();
   return section;
 }
 

@@ -14,6 +14,9 @@ const Section<GrainOptions>& grains_section();
 Field<Case> materials_field();
 const Section<ContactOptions>& contact_section();
 
+/// The table [pores].
+const Section<PoreOptions>& pores_section();
+
 /// The list [[stage]].
 Field<Case> stages_field();
 

@@ -13,6 +13,8 @@ const Section<S>& stage_section();
 template <>
 const Section<CompactStage>& stage_section();
 template <>
+const Section<PermeabilityStage>& stage_section();
+template <>
 const Section<RetentionStage>& stage_section();
 template <>
 const Section<IsotropicStage>& stage_section();

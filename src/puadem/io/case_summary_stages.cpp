@@ -96,7 +96,7 @@ struct Walk {
   CaseSummary& summary;
   LoadingScale scale;
   int number = 0;
-  int equilibria = 0, histories = 0;
+  int equilibria = 0, histories = 0, flows = 0;
 };
 
 void describe(const CompactStage& stage, Walk& w) {
@@ -108,6 +108,14 @@ void describe(const CompactStage& stage, Walk& w) {
   add_stage(w.summary, w.number, fmt::format("compact to {}{}", show(stage.stress, "Pa"), state));
   add_line(w.summary, "", step_text(estimate_step(w.c, stage.stress, w.basis)));
   w.scale.stress = stage.stress * Vec3{1, 1, 1};
+}
+
+void describe(const PermeabilityStage& stage, Walk& w) {
+  add_stage(
+      w.summary, w.number,
+      fmt::format("permeability along x, y and z; fluid of {} driven from the {} by {}",
+                  show(w.c.fluids.wetting.viscosity, "Pa s"), face_names[to_size(stage.inlet)], show(stage.pressure_drop, "Pa")));
+  ++w.flows;
 }
 
 void describe(const RetentionStage& stage, Walk& w) {
@@ -191,7 +199,7 @@ void describe_stages(const Case& c, const SummaryBasis& basis, CaseSummary& summ
   }
   // Per grain: contacts and neighbours in the packing, then about 6 tetrahedra and 12 facets with their
   // geometry in the network.
-  const double bytes_per_grain = w.equilibria > 0 ? 9000.0 : 2000.0;
+  const double bytes_per_grain = w.flows > 0 ? 25000.0 : w.equilibria > 0 ? 9000.0 : 2000.0;
   constexpr double bytes_of_fields = 1800.0, bytes_of_grains = 450.0;
   add_line(summary, "memory", fmt::format("about {:.0f} MB", (30e6 + bytes_per_grain * basis.grains) / 1e6));
   const int frames = c.output.fields ? (w.equilibria + c.output.fields_every - 1) / c.output.fields_every : 0;

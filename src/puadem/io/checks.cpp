@@ -14,9 +14,11 @@ namespace {
 constexpr double volume_tolerance = 1e-12;  // of the box or the void: rounding of a sum, no more
 constexpr double stress_tolerance = 0.01;   // of the target stress
 constexpr double porosity_tolerance = 0.002;
-constexpr double energy_tolerance = 1e-3;   // of the work put in
-constexpr double overlap_tolerance = 0.05;  // of the smaller radius: contacts far apart do not feel each other
-constexpr double grading_tolerance = 0.01;  // largest error of the share of a class
+constexpr double energy_tolerance = 1e-3;    // of the work put in
+constexpr double overlap_tolerance = 0.05;   // of the smaller radius: contacts far apart do not feel each other
+constexpr double flux_tolerance = 1e-10;     // of the largest flow through a pore
+constexpr double symmetry_tolerance = 1e-8;  // of the mean permeability: what the imbalance leaves
+constexpr double grading_tolerance = 0.01;   // largest error of the share of a class
 
 /// (pores + grains - box) / box.
 double volume_defect(const State& state) {
@@ -58,9 +60,8 @@ void add_packing(std::vector<Check>& checks, const Case& c, const RunResults& re
   near("stress_mean_Pa", stage->stress, stress_tolerance * stage->stress, fmt::format("{:g} ± 1 %", stage->stress));
   near("grading_error", 0.0, grading_tolerance, fmt::format("at most {:g}", grading_tolerance));
   // What loads the grains afterwards changes the porosity; the compaction itself has reached its own.
-  const bool is_loaded = std::ranges::any_of(c.stages, [](const Stage& s) {
-    return !std::holds_alternative<CompactStage>(s) && !std::holds_alternative<RetentionStage>(s);
-  });
+  const bool is_loaded =
+      std::ranges::any_of(c.stages, [](const Stage& s) { return !std::holds_alternative<CompactStage>(s) && !puts_fluid(s); });
   if (stage->porosity && !is_loaded)
     near(stage->porosity_region == CompactStage::Region::core ? "porosity_core" : "porosity_box", *stage->porosity,
          porosity_tolerance, fmt::format("{:g} ± {:g}", *stage->porosity, porosity_tolerance));
@@ -82,6 +83,22 @@ void add_loading(std::vector<Check>& checks, const Case& c, const RunResults& re
   }
 }
 
+/// Every permeability stage: what flows in flows out; between periodic faces the tensor is symmetric; it is positive.
+void add_permeability(std::vector<Check>& checks, const State& state, const RunResults& results) {
+  const auto& s = results.scalars;
+  for (const PermeabilityResult& r : state.permeability) {
+    const auto at_most = [&](const std::string& name, double bound) {
+      if (const auto found = s.find(name); found != s.end())
+        checks.push_back({name, fmt::format("at most {:g}", bound), found->second, found->second <= bound});
+    };
+    at_most(r.stage + "_imbalance", flux_tolerance);
+    at_most(r.stage + "_asymmetry", symmetry_tolerance);
+    const auto lowest = s.find(r.stage + "_principal_3_m2");
+    const double least = lowest != s.end() ? lowest->second : r.permeability.mean();
+    checks.push_back({r.stage + ", the lowest principal value (m²)", "above 0", least, least > 0.0});
+  }
+}
+
 }  // namespace
 
 bool expected_bounds_hold(const Case& c, const RunResults& results) {
@@ -95,7 +112,7 @@ std::vector<Check> run_checks(const Case& c, const State& state, const RunResult
   const auto within = [&](const char* name, double value, double tolerance) {
     checks.push_back({name, fmt::format("within ±{:g}", tolerance), value, std::abs(value) <= tolerance});
   };
-  if (state.network.pores() > 0)
+  if (state.network.pores() > 0 && state.particles.size() > 0)
     within("pore volume + grain volume = box volume (relative)", volume_defect(state), volume_tolerance);
   if (!state.saturation.empty()) {
     const auto [low, high] = std::ranges::minmax(state.saturation);
@@ -109,6 +126,7 @@ std::vector<Check> run_checks(const Case& c, const State& state, const RunResult
   }
   add_packing(checks, c, *results);
   add_loading(checks, c, *results);
+  add_permeability(checks, state, *results);
   add_expected(checks, c, *results);
   return checks;
 }

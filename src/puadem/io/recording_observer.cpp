@@ -78,10 +78,15 @@ void write_distributions(ResultsFolder& folder, const State& state) {
 
 void record_packing(ResultsFolder& folder, const Case& c, const State& state) {
   write_distributions(folder, state);
+  if (state.particles.size() == 0) {
+    record_message(folder, fmt::format("{} pores, {} throats", state.network.pores(), state.network.throats()));
+    folder.has_result = true;
+    return;
+  }
   write_packing(folder.path / "packing.csv", state.particles.position, state.particles.radius, state.domain);
   if (c.output.fields) {
     write_grains(folder, state);
-    const bool is_last = std::ranges::none_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); });
+    const bool is_last = std::ranges::none_of(c.stages, puts_fluid);
     if (is_last && state.network.pores() > 0) {
       write_frame(folder, folder.pore_frames, "pores", 0.0, pore_fields(state));
       write_frame(folder, folder.throat_frames, "throats", 0.0, throat_fields(state, c.fluids));
@@ -97,6 +102,8 @@ void record_equilibrium(ResultsFolder& folder, const Case& c, const State& state
   series(folder, folder.events, "events.csv", events_header).flush();
   retention.append(retention_line(row));
   retention.flush();
+  // A permeability stage before has had other pores.
+  if (folder.equilibria == 0 && !state.permeability.empty()) folder.has_distributions = false;
   write_distributions(folder, state);
   if (c.output.fields && folder.equilibria % std::max(c.output.fields_every, 1) == 0) {
     const double time = folder.equilibria;
@@ -110,6 +117,21 @@ void record_equilibrium(ResultsFolder& folder, const Case& c, const State& state
   }
   record_message(folder, fmt::format("{}: p_c = {:.6g} Pa, S = {:.6f}", row.branch, row.capillary_pressure, row.saturation));
   ++folder.equilibria;
+  folder.has_result = true;
+}
+
+void record_permeability(ResultsFolder& folder, const Case& c, const State& state, const DrivenFlow& flow,
+                         const PermeabilityResult& result) {
+  AppendFile& pressure = series(folder, folder.pressure, "pressure.csv", pressure_header);
+  for (const PressureLayer& layer : result.profile) pressure.append(pressure_line(result, layer));
+  pressure.flush();
+  if (c.output.fields) {
+    const double time = size_of(folder.flow_pore_frames);
+    write_frame(folder, folder.flow_pore_frames, "flow_pores", time, flow_pore_fields(flow));
+    write_frame(folder, folder.flow_throat_frames, "flow_throats", time, flow_throat_fields(flow, state.domain));
+  }
+  record_message(
+      folder, fmt::format("{}: {:.6g} m2, {} unknowns", result.stage, result.permeability.mean(), result.permeability.unknowns));
   folder.has_result = true;
 }
 
@@ -144,6 +166,9 @@ Observer recording_observer(ResultsFolder& folder, const Case& c) {
   observer.packed = [&folder, &c](const State& state) { record_packing(folder, c, state); };
   observer.equilibrium = [&folder, &c](const State& state, const RetentionRow& row) {
     record_equilibrium(folder, c, state, row);
+  };
+  observer.permeability = [&folder, &c](const State& state, const DrivenFlow& flow, const PermeabilityResult& result) {
+    record_permeability(folder, c, state, flow, result);
   };
   observer.history = [&folder, &c](const State& state, const HistoryRow& row) { record_history(folder, c, state, row); };
   observer.event = [&folder](const State&, const InvasionEvent& e) { record_event(folder, e); };

@@ -61,11 +61,35 @@ json grain_rows(const Case& c) {
   return rows;
 }
 
+/// Options of the network; those that few change are named where they are not the default.
+void add_network_rows(const PoreOptions& o, json& rows) {
+  if (o.merge_criterion == MergeCriterion::insphere_overlap)
+    rows.push_back({"Pores merge", "where inscribed spheres overlap"});
+  else
+    rows.push_back({"Merge ratio", std::isfinite(o.merge_ratio) ? fmt::format("{:.4g}", o.merge_ratio) : "no merging"});
+  if (o.pore_shape == PoreShape::vertices) rows.push_back({"Pores are likened to polyhedra", "of as many vertices"});
+  if (o.throat_section == ThroatOutline::window) rows.push_back({"Throats are entered", "as whole windows"});
+  std::string held;
+  for (int face = 0; face < 6; ++face)
+    if (o.no_slip[to_size(face)]) held += fmt::format("{}{}", held.empty() ? "" : ", ", face_names[to_size(face)]);
+  if (!held.empty()) rows.push_back({"Walls that hold the fluid", held});
+  if (const auto& limits = o.conductance_limits)
+    rows.push_back({"Conductances over their median", fmt::format("{:.4g} to {:.4g}", limits->low, limits->high)});
+}
+
 json fluid_rows(const Case& c) {
-  json rows = json::array({{"Surface tension γ", in_print(c.fluids.surface_tension, "N/m")},
-                           {"Contact angle θ", in_print(c.fluids.contact_angle, "rad")}});
+  const auto has = [&](std::string_view kind) {
+    return std::ranges::any_of(c.stages, [&](const Stage& s) { return kind_of(s) == kind; });
+  };
+  json rows = json::array();
+  if (has(RetentionStage::kind)) {
+    rows.push_back({"Surface tension γ", in_print(c.fluids.surface_tension, "N/m")});
+    rows.push_back({"Contact angle θ", in_print(c.fluids.contact_angle, "rad")});
+  }
+  if (has(PermeabilityStage::kind)) rows.push_back({"Viscosity μ", in_print(c.fluids.wetting.viscosity, "Pa s")});
+  if (c.network_file) return rows;
   rows.push_back({"Entry pressure law", std::visit([](const auto& law) { return std::string(law.name); }, c.pores.entry_law)});
-  rows.push_back({"Merge ratio", std::isfinite(c.pores.merge_ratio) ? fmt::format("{:.4g}", c.pores.merge_ratio) : "no merging"});
+  add_network_rows(c.pores, rows);
   return rows;
 }
 
@@ -145,6 +169,12 @@ json stage_rows(const StrainStage& s) {
   return rows;
 }
 
+json stage_rows(const PermeabilityStage& s) {
+  return json::array({{"Fluid enters at", std::string(face_names[to_size(s.inlet)])},
+                      {"Pressure drop", in_print(s.pressure_drop, "Pa")},
+                      {"Pores", s.merged ? "merged units" : "single tetrahedra"}});
+}
+
 json stage_rows(const RetentionStage& s) {
   const InvasionOptions& o = s.invasion;
   json rows = json::array({{"Path of p_c", path_of(s.path)},
@@ -168,8 +198,7 @@ json stage_rows(const RetentionStage& s) {
 json case_json(const Case& c) {
   json tables = json::array();
   tables.push_back({{"title", "Grains"}, {"rows", grain_rows(c)}});
-  const bool has_fluids = std::ranges::any_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); });
-  if (has_fluids) tables.push_back({{"title", "Fluids and pores"}, {"rows", fluid_rows(c)}});
+  if (std::ranges::any_of(c.stages, puts_fluid)) tables.push_back({{"title", "Fluids and pores"}, {"rows", fluid_rows(c)}});
   int number = 0;
   for (const Stage& stage : c.stages) {
     tables.push_back({{"title", fmt::format("Stage {}: {}", ++number, kind_of(stage))},

@@ -23,6 +23,9 @@ nlohmann::json curves_json(const std::string& label, std::span<const RetentionRo
 /// The stages of a history, each with its columns.
 nlohmann::json loading_json(std::span<const HistoryRow> rows);
 
+/// Permeability stages: what they found, and the pressure through the box.
+nlohmann::json permeability_json(const State& state);
+
 /// The curves of every overlay of the case; what cannot be read is told in `warnings`.
 nlohmann::json overlays_json(const Case& c, std::vector<std::string>& warnings);
 

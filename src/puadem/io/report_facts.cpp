@@ -26,8 +26,8 @@ std::string percent(double share) { return fmt::format("{:.1f} %", 100.0 * share
 
 /// "mean_stress_Pa" -> 10000.0 -> "10 kPa": results carry their unit at the end of their name.
 std::string scalar_text(const std::string& name, double value) {
-  constexpr std::array<std::array<const char*, 2>, 5> units{
-      {{"_Pa", "Pa"}, {"_m3", "m3"}, {"_m", "m"}, {"_s", "s"}, {"_N", "N"}}};
+  constexpr std::array<std::array<const char*, 2>, 7> units{
+      {{"_Pa", "Pa"}, {"_m3", "m3"}, {"_m2", "m2"}, {"_m", "m"}, {"_m_s", "m/s"}, {"_s", "s"}, {"_N", "N"}}};
   for (const auto& [suffix, unit] : units)
     if (name.ends_with(suffix)) return in_print(value, unit);
   return value == std::floor(value) && std::abs(value) < 1e9 ? count(static_cast<long>(value)) : fmt::format("{:.5g}", value);
@@ -84,6 +84,7 @@ std::string entry_kinds(const PoreNetwork& n) {
 json network_rows(const State& state) {
   const PoreNetwork& n = state.network;
   json rows = json::array({{"Pore units", count(n.pores())}, {"Throats", count(n.throats())}});
+  if (n.windows > 0) rows.push_back({"Windows of several facets", count(n.windows)});
   if (n.triangulation.cells() > 0)
     rows.push_back({"Tetrahedra", fmt::format("{}, {:.2f} per pore unit", count(n.triangulation.cells()),
                                               static_cast<double>(n.triangulation.cells()) / n.pores())});
@@ -141,6 +142,7 @@ std::string in_print(double value, std::string_view unit, int digits) {
   };
   replace_end(" um", " µm");
   replace_end(" deg", "°");
+  replace_end(" m2", " m²");
   return text;
 }
 
@@ -162,6 +164,13 @@ json highlights_json(const State& state, const RunResults* results) {
   else if (p.size() > 0)
     top.push_back(highlight("Porosity", fmt::format("{:.4f}", box_porosity), "whole box"));
   for (const auto& stage_highlight : loading_highlights(state.history)) top.push_back(stage_highlight);
+  if (!state.permeability.empty()) {
+    const PermeabilityResult& r = state.permeability.back();
+    const auto reference = r.kozeny_carman();
+    top.push_back(
+        highlight("Permeability", fmt::format("{:.3g} m²", r.permeability.mean()),
+                  reference ? fmt::format("{:.2f} of Kozeny–Carman", r.permeability.mean() / *reference) : "mean of its axes"));
+  }
   if (state.network.pores() > 0)
     top.push_back(highlight("Pore units", count(state.network.pores()), count(state.network.throats()) + " throats"));
   std::vector<RetentionRow> drainage;

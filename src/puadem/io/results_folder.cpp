@@ -93,7 +93,8 @@ void remove_all_of(const ResultsFolder& folder) {
 
 void write_summary(ResultsFolder& folder, const Case& c, const State& state, const RunResults* results, int exit_code,
                    const std::string& error_message) {
-  for (AppendFile* file : {&folder.log, &folder.progress, &folder.retention, &folder.events, &folder.compaction, &folder.history})
+  for (AppendFile* file :
+       {&folder.log, &folder.progress, &folder.retention, &folder.events, &folder.compaction, &folder.history, &folder.pressure})
     file->close();
   using Json = nlohmann::json;
   const Json manifest = make_manifest(folder, c, state, results, exit_code, error_message);

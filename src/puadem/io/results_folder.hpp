@@ -31,13 +31,13 @@ struct ResultsFolder {
   std::string previous_latest;         ///< what `latest` pointed to before; empty: nothing
   bool linked = false;                 ///< `latest` was set to this run
   bool has_result = false;             ///< a packing or an equilibrium is on disk
-  std::vector<VtkFrame> grain_frames, contact_frames, pore_frames, throat_frames;
+  std::vector<VtkFrame> grain_frames, contact_frames, pore_frames, throat_frames, flow_pore_frames, flow_throat_frames;
   bool has_distributions = false;
   int equilibria = 0;
   long events_seen = 0;
-  std::string history_stage;                                         ///< of the last history row
-  int fields_written = 0;                                            ///< sets of files of that stage
-  AppendFile log, progress, retention, events, compaction, history;  ///< opened when first needed
+  std::string history_stage;                                                   ///< of the last history row
+  int fields_written = 0;                                                      ///< sets of files of that stage
+  AppendFile log, progress, retention, events, compaction, history, pressure;  ///< opened when first needed
   std::chrono::steady_clock::time_point last_progress{};
   std::string last_stage;
 };

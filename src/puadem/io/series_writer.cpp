@@ -128,6 +128,10 @@ std::string compaction_line(const Progress& p) {
   return fmt::format("{},{},{},{}\n", p.step, p.porosity, p.stress, p.unbalanced);
 }
 
+std::string pressure_line(const PermeabilityResult& result, const PressureLayer& layer) {
+  return fmt::format("{},{},{},{},{}\n", result.stage, layer.place, layer.pressure, layer.linear, layer.pores);
+}
+
 std::string distributions_csv(const RadiusDistributions& d) {
   std::string csv(distributions_header);
   append_bins(csv, "pore", d.pore);

@@ -15,6 +15,7 @@ namespace puadem {
 inline constexpr std::string_view retention_header = "step,branch,pc_Pa,pc_star,saturation,trapped_wetting,trapped_nonwetting\n";
 inline constexpr std::string_view events_header = "event,kind,pc_Pa,pore,throat,units,wetting_volume_m3\n";
 inline constexpr std::string_view compaction_header = "step,porosity,stress_Pa,unbalanced\n";
+inline constexpr std::string_view pressure_header = "stage,place_m,pressure_Pa,linear_Pa,pores\n";
 inline constexpr std::string_view distributions_header = "kind,bin_low,bin_high,pdf\n";
 
 /// Columns of series/history.csv; forces and places only of faces that are walls.
@@ -24,6 +25,7 @@ std::string history_line(const HistoryRow& row, const Domain& domain);
 std::string retention_line(const RetentionRow& row);
 std::string event_line(long event, const InvasionEvent& e);
 std::string compaction_line(const Progress& p);
+std::string pressure_line(const PermeabilityResult& result, const PressureLayer& layer);
 std::string distributions_csv(const RadiusDistributions& d);  ///< header and lines
 
 /// Reads a retention series back. Columns are found by name; only pc_Pa and saturation must be there,

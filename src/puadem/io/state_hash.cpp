@@ -59,6 +59,10 @@ std::uint64_t state_hash(const State& state) {
   h.add(n.throat_entry_radius);
   h.add(n.throat_snap_off_radius);
   h.add(state.saturation);
+  for (const PermeabilityResult& r : state.permeability) {
+    h.add(std::vector<Vec3>(r.permeability.tensor.begin(), r.permeability.tensor.end()));
+    h.add(r.linear_error);
+  }
   for (const RetentionRow& row : state.retention) {
     h.add(row.step);
     h.hash = fingerprint(row.branch, h.hash);

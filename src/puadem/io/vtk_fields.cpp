@@ -69,15 +69,16 @@ VtkPolyData pore_fields(const State& state) {
   return data;
 }
 
-VtkPolyData throat_fields(const State& state, const Fluids& fluids) {
-  const PoreNetwork& n = state.network;
+namespace {
+
+/// Throats as lines between the centres of their pores, with `radius` on the points.
+VtkPolyData throat_lines(const PoreNetwork& n, const Domain& domain) {
   const std::size_t throats = n.throat_pores.size();
-  const Vec3 period = state.domain.size();
+  const Vec3 period = domain.size();
   VtkPolyData data;
   data.points.reserve(2 * throats);
   data.lines.reserve(throats);
-  std::vector<double> radius(2 * throats), entry_pressure(throats);
-  std::vector<std::uint8_t> is_open(throats, 0), wall(throats, 0);
+  std::vector<double> radius(2 * throats);
   for (std::size_t t = 0; t < throats; ++t) {
     const auto [i, j] = n.throat_pores[t];
     Vec3 end = n.pore_centre[to_size(j)];
@@ -88,13 +89,47 @@ VtkPolyData throat_fields(const State& state, const Fluids& fluids) {
     data.points.push_back(end);
     data.lines.push_back({first, first + 1});
     radius[2 * t] = radius[2 * t + 1] = n.throat_radius[t];
+  }
+  data.point_data = {{"radius", std::move(radius)}};
+  return data;
+}
+
+}  // namespace
+
+VtkPolyData throat_fields(const State& state, const Fluids& fluids) {
+  const PoreNetwork& n = state.network;
+  const std::size_t throats = n.throat_pores.size();
+  VtkPolyData data = throat_lines(n, state.domain);
+  std::vector<double> entry_pressure(throats);
+  std::vector<std::uint8_t> is_open(throats, 0), wall(throats, 0);
+  for (std::size_t t = 0; t < throats; ++t) {
     entry_pressure[t] = n.throat_entry_radius[t] > 0 ? fluids.surface_tension / n.throat_entry_radius[t]
                                                      : std::numeric_limits<double>::infinity();
     if (state.invasion) is_open[t] = state.invasion->nonwetting.passes[t];
     if (t < n.throat_at_wall.size()) wall[t] = n.throat_at_wall[t];
   }
-  data.point_data = {{"radius", std::move(radius)}};
   data.cell_data = {{"entry_pressure", std::move(entry_pressure)}, {"open", std::move(is_open)}, {"wall", std::move(wall)}};
+  return data;
+}
+
+VtkPolyData flow_pore_fields(const DrivenFlow& flow) {
+  VtkPolyData data;
+  data.points = flow.network.pore_centre;
+  data.point_data = {{"radius", flow.network.pore_radius},
+                     {"volume", flow.network.pore_volume},
+                     {"pressure", std::vector<double>(flow.pressure.begin(), flow.pressure.end())}};
+  return data;
+}
+
+VtkPolyData flow_throat_fields(const DrivenFlow& flow, const Domain& domain) {
+  VtkPolyData data = throat_lines(flow.network, domain);
+  std::vector<Vec3> flux(data.lines.size());
+  for (std::size_t t = 0; t < flux.size(); ++t) {
+    const Vec3 way = data.points[2 * t + 1] - data.points[2 * t];
+    const double area = flow.network.throat_area[t];
+    if (area > 0.0 && squared_norm(way) > 0.0) flux[t] = flow.throat_flow[t] / area * normalized(way);
+  }
+  data.cell_data = {{"flow", std::vector<double>(flow.throat_flow.begin(), flow.throat_flow.end())}, {"flux", std::move(flux)}};
   return data;
 }
 

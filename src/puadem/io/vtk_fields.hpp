@@ -1,5 +1,6 @@
 #pragma once
 
+#include "puadem/coupling/permeability_result.hpp"
 #include "puadem/coupling/state.hpp"
 #include "puadem/flow/fluids.hpp"
 #include "puadem/io/vtk_writer.hpp"
@@ -24,6 +25,13 @@ VtkPolyData pore_fields(const State& state);
 /// lines, `open` being 1 where the non-wetting fluid passes. A throat across a periodic face ends at the image of its second
 /// pore.
 VtkPolyData throat_fields(const State& state, const Fluids& fluids);
+
+/// Pores of a driven fluid as points: `radius` [m], `volume` [m3], `pressure` [Pa].
+VtkPolyData flow_pore_fields(const DrivenFlow& flow);
+
+/// Its throats as lines: `radius` [m] on the points; on the lines `flow` [m3/s] along the line, and `flux` [m/s], a vector
+/// along it, the flow over the void section; both 0 where pores are joined without resistance.
+VtkPolyData flow_throat_fields(const DrivenFlow& flow, const Domain& domain);
 
 /// Writes what a file as a whole knows: `capillary_pressure` [Pa] and `saturation` of the equilibrium.
 void add_equilibrium(VtkPolyData& data, const RetentionRow& row);

@@ -43,13 +43,25 @@ struct Document {
     add_block(values);
   }
 
+  /// One entry an array; a vector has three components.
+  template <class T>
+  void add_values(std::string_view name, const std::vector<T>& values, std::string_view more = {}) {
+    if constexpr (std::is_same_v<T, Vec3>) {
+      static_assert(sizeof(Vec3) == 3 * sizeof(double));
+      const auto* numbers = values.empty() ? nullptr : &values.front().x;
+      add_array(name, 3, std::span<const double>(numbers, 3 * values.size()), more);
+    } else {
+      add_array(name, 1, std::span(values), more);
+    }
+  }
+
   void add_arrays(std::string_view element, const std::vector<VtkArray>& arrays, [[maybe_unused]] std::size_t length) {
     head += fmt::format("      <{}>\n", element);
     for (const VtkArray& array : arrays)
       std::visit(
           [&]<class T>(const std::vector<T>& values) {
             assert(values.size() == length);
-            add_array(array.name, 1, std::span(values));
+            add_values(array.name, values);
           },
           array.values);
     head += fmt::format("      </{}>\n", element);
@@ -87,7 +99,7 @@ std::string vtp_bytes(const VtkPolyData& data) {
     for (const VtkArray& array : data.field_data)
       std::visit(
           [&]<class T>(const std::vector<T>& values) {
-            d.add_array(array.name, 1, std::span(values), fmt::format(" NumberOfTuples=\"{}\"", values.size()));
+            d.add_values(array.name, values, fmt::format(" NumberOfTuples=\"{}\"", values.size()));
           },
           array.values);
     d.head += "    </FieldData>\n";
@@ -97,10 +109,8 @@ std::string vtp_bytes(const VtkPolyData& data) {
       data.points.size(), has_lines ? 0 : cells, has_lines ? cells : 0);
   d.add_arrays("PointData", data.point_data, data.points.size());
   d.add_arrays("CellData", data.cell_data, to_size(cells));
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));
   d.head += "      <Points>\n";
-  const auto* coordinates = data.points.empty() ? nullptr : &data.points.front().x;
-  d.add_array("Points", 3, std::span<const double>(coordinates, 3 * data.points.size()));
+  d.add_values("Points", data.points);
   d.head += "      </Points>\n";
   d.add_cells(has_lines ? "Lines" : "Verts", cells, has_lines ? 2 : 1, connectivity_of(data));
   d.head += "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n   _";

@@ -15,7 +15,8 @@ namespace puadem {
 /// A named array of a VTK file; its length is the number of points or cells, or free for field data.
 struct VtkArray {
   std::string name;  ///< a plain word: letters, digits, underscores
-  std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>, std::vector<std::uint8_t>> values;
+  std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>, std::vector<std::uint8_t>, std::vector<Vec3>>
+      values;
 };
 
 /// Points, or lines between points, with their data: what a .vtp file holds. Without lines every point

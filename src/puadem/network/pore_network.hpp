@@ -48,6 +48,7 @@ struct PoreNetwork {
   std::vector<std::array<std::int8_t, 3>> tetrahedron_shift;  ///< moved by this many periods it lies beside the rest of its pore
   std::vector<Facet> throat_facet;
   Csr pore_tetrahedra;  ///< tetrahedra of each pore, ascending
+  int windows = 0;      ///< flat windows whose throats share the radii of the whole (theory 3.4)
 
   int pores() const { return size_of(pore_volume); }
   int throats() const { return size_of(throat_pores); }

@@ -130,6 +130,7 @@ void set_radii(PoreNetwork& network, const std::vector<int>& throats, const Thro
 }  // namespace
 
 void set_window_radii(PoreNetwork& network, const PackingSites& sites_of, const NetworkOptions& options) {
+  network.windows = 0;
   std::vector<int> order(to_size(network.throats()));
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](int t) { return std::pair(network.throat_pores[to_size(t)], network.throat_shift[to_size(t)]); };
@@ -144,7 +145,10 @@ void set_window_radii(PoreNetwork& network, const PackingSites& sites_of, const 
       if (part.size() < 2) continue;
       std::vector<std::array<Vertex, 3>> facets;
       for (const int t : part) facets.push_back(vertices.at(t));
-      if (const auto ring = find_ring(facets)) set_radii(network, part, window_section(*ring, facets, sites_of), options);
+      const auto ring = find_ring(facets);
+      if (!ring) continue;
+      set_radii(network, part, window_section(*ring, facets, sites_of), options);
+      ++network.windows;
     }
   }
 }
