@@ -38,7 +38,8 @@ json rows_of(const PermeabilityResult& r) {
       {"Pressure off the straight line", fmt::format("{:.2f} % of the drop, root mean square", 100.0 * r.linear_error)});
   rows.push_back({"Solved by", fmt::format("{}, {} unknowns{}", k.is_factorised ? "Cholesky factors" : "multigrid", k.unknowns,
                                            k.iterations > 0 ? fmt::format(", {} iterations", k.iterations) : "")});
-  rows.push_back({"Largest imbalance of a pore", fmt::format("{:.1e} of the largest flow, {:.1e} by the pressures alone", k.imbalance, k.carried)});
+  rows.push_back({"Largest imbalance of a pore",
+                  fmt::format("{:.1e} of the largest flow, {:.1e} by the pressures alone", k.imbalance, k.carried)});
   rows.push_back({"Throats closed, joined", fmt::format("{}, {} of {}", r.closed_throats, k.joined, r.throats)});
   if (k.limited_low + k.limited_high > 0)
     rows.push_back({"Conductances raised, lowered to the limits", fmt::format("{}, {}", k.limited_low, k.limited_high)});
