@@ -78,7 +78,7 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   };
 
   report("network", 0.0, 0.0, 1.0);
-  if (!c.network_file) state.network = checked_network(c, state, observer, true);
+  if (!c.network_file) state.network = checked_network(c, state, observer);
   state.invasion = start_invasion(state.network, c.fluids, stage.invasion);
   state.saturation = saturation(state.network, *state.invasion);
   state.retention.clear();
