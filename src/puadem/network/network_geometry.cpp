@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 
 #include "puadem/base/error.hpp"
 #include "puadem/geometry/cell.hpp"
@@ -35,6 +37,15 @@ double smallest_grain(const std::array<Site, 3>& sites) {
   return radius;
 }
 
+/// Whether a cell and its neighbour, moved by `shift`, are of one pore and not of two images of it.
+bool lie_in_one_unit(const PoreNetwork& network, int cell, int neighbour, const std::array<std::int8_t, 3>& shift) {
+  if (network.tetrahedron_pore[to_size(cell)] != network.tetrahedron_pore[to_size(neighbour)]) return false;
+  const auto &a = network.tetrahedron_shift[to_size(cell)], &b = network.tetrahedron_shift[to_size(neighbour)];
+  for (std::size_t k = 0; k < 3; ++k)
+    if (a[k] + shift[k] != b[k]) return false;
+  return true;
+}
+
 }  // namespace
 
 CellGeometry measure_cells(const Triangulation& triangulation, const PackingSites& sites_of) {
@@ -49,6 +60,39 @@ CellGeometry measure_cells(const Triangulation& triangulation, const PackingSite
     cells.power_centre[i] = power_centre(sites).value_or(cells.centroid[i]);
   });
   return cells;
+}
+
+bool centre_flat_cells(const PoreNetwork& network, const PackingSites& sites_of, CellGeometry& cells) {
+  constexpr double flat = 1e-6;  // of the mean cell
+  const int n = size_of(cells.volume);
+  const double mean = std::accumulate(cells.volume.begin(), cells.volume.end(), 0.0) / n;
+  std::vector<int> waiting;
+  for (int t = 0; t < n; ++t)
+    if (cells.volume[to_size(t)] <= flat * mean) waiting.push_back(t);
+  const bool are_some = !waiting.empty();
+
+  std::vector<char> has_centre(to_size(n), 1);
+  for (const int t : waiting) has_centre[to_size(t)] = 0;
+  const auto centre_beside = [&](int t) -> std::optional<Vec3> {
+    for (const auto& [cell, shift] : network.triangulation.neighbours[to_size(t)]) {
+      if (cell < 0 || !has_centre[to_size(cell)] || !lie_in_one_unit(network, t, cell, shift)) continue;
+      return cells.power_centre[to_size(cell)] + sites_of.translation(shift);
+    }
+    return std::nullopt;
+  };
+  for (std::size_t before = waiting.size() + 1; waiting.size() < before;) {  // flat cells behind flat cells come later
+    before = waiting.size();
+    std::vector<int> centred;
+    std::erase_if(waiting, [&](int t) {
+      const auto centre = centre_beside(t);
+      if (!centre) return false;
+      cells.power_centre[to_size(t)] = *centre;
+      centred.push_back(t);
+      return true;
+    });
+    for (const int t : centred) has_centre[to_size(t)] = 1;
+  }
+  return are_some;
 }
 
 FacetGeometry::FacetGeometry(std::size_t facets)
@@ -139,7 +183,8 @@ void set_throat_geometry(PoreNetwork& network, FacetGeometry geometry, const Pac
 void update_network_geometry(PoreNetwork& network, std::span<const Vec3> centre, std::span<const double> radius,
                              const Domain& domain, const NetworkOptions& options) {
   const PackingSites sites_of(centre, radius, domain);
-  const CellGeometry cells = measure_cells(network.triangulation, sites_of);
+  CellGeometry cells = measure_cells(network.triangulation, sites_of);
+  centre_flat_cells(network, sites_of, cells);
   set_pore_geometry(network, cells, sites_of, options.pore_shape);
   set_throat_geometry(network, measure_facets(network.triangulation, network.throat_facet, cells, sites_of, options), sites_of,
                       options);

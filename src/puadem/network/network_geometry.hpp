@@ -17,6 +17,10 @@ struct CellGeometry {
 };
 CellGeometry measure_cells(const Triangulation& triangulation, const PackingSites& sites_of);
 
+/// Gives flat cells the power centre of a cell beside them in their pore unit, so that the throats on their far side
+/// keep their whole length (theory 3.8). The cells' units are known. @return whether there are any
+bool centre_flat_cells(const PoreNetwork& network, const PackingSites& sites_of, CellGeometry& cells);
+
 /// What geometry says of facets: theory 3.4 and 3.8.
 struct FacetGeometry {
   std::vector<Vec3> normal;                                             ///< out of the facet's first cell [-]

@@ -143,7 +143,7 @@ PoreNetwork network_of(Triangulation mesh, const FormerUnits& former, std::span<
   network.triangulation = std::move(mesh);
   const Triangulation& triangulation = network.triangulation;
   const PackingSites sites_of(centre, radius, domain);
-  const CellGeometry cells = measure_cells(triangulation, sites_of);
+  CellGeometry cells = measure_cells(triangulation, sites_of);
   if (!(std::accumulate(cells.void_volume.begin(), cells.void_volume.end(), 0.0) > 0.0))
     throw NumericalError("the grains overlap too far, no void is left between them; " +
                          deepest_in_words(find_overlaps(triangulation, centre, radius, domain)));
@@ -162,6 +162,8 @@ PoreNetwork network_of(Triangulation mesh, const FormerUnits& former, std::span<
   lay_out_pores(network, merge_cells(triangulation.cells(), facets, cells.void_volume, count_faces(triangulation), wide,
                                      geometry.void_area, merging, start));
   select(geometry, lay_out_throats(network, facets));
+  if (centre_flat_cells(network, sites_of, cells))
+    geometry = measure_facets(triangulation, network.throat_facet, cells, sites_of, options);
 
   set_pore_geometry(network, cells, sites_of, options.pore_shape);
   set_throat_geometry(network, std::move(geometry), sites_of, options);
