@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "puadem/base/disjoint_sets.hpp"
 #include "puadem/base/error.hpp"
@@ -46,8 +47,6 @@ struct Newton {
   std::vector<double> law_pressure;  ///< of a mixed pore; of a full or emptied one the difference it has
   std::vector<double> capacitance;   ///< [m3/Pa]
   std::vector<double> predicted;     ///< wetting volume after a solve [m3]
-
-  bool is_explicit() const { return model.options.scheme == TwoPhaseScheme::impes; }
 
   double height(int i) const {  // turns a difference of potentials into one of pressures
     return hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[to_size(i)]) -
@@ -219,46 +218,76 @@ void solve(Newton& n) {
   }
 }
 
-/// Takes a pore from the linear model back to its law. Returns by how much it misses it: the lesser of the saturation
-/// and of the pressure over p_thr, since near S = 1 only the one, near 0 only the other is well conditioned.
+constexpr double not_yet = 1.0, never = std::numeric_limits<double>::infinity();
+
+/// Fixes the volume of a pore that the linear model would fill or empty beyond its bounds.
+double close(Newton& n, int i, Filling filling) {
+  n.trial.filling[to_size(i)] = filling;
+  n.trial.wetting_volume[to_size(i)] = filling == Filling::full ? n.volume[to_size(i)] : 0.0;
+  n.law_pressure[to_size(i)] = n.difference(i);
+  return not_yet;
+}
+
+/// A full or emptied pore: does its pressure let it stay so, and does the volume hold?
+double keep_closed(Newton& n, int i) {
+  const std::size_t p = to_size(i);
+  Filling& filling = n.trial.filling[p];
+  const double now = n.difference(i);
+  const bool leaves = filling == Filling::full ? now > local_pressure(n.model, i, 1.0) : now < local_pressure(n.model, i, 0.0);
+  const bool misses = std::abs(n.predicted[p] - n.trial.wetting_volume[p]) > overfill * n.volume[p];
+  if (leaves) filling = Filling::mixed;
+  n.law_pressure[p] = now;
+  return leaves || misses ? not_yet : 0.0;
+}
+
+bool overfills(const Newton& n, int i) {
+  const std::size_t p = to_size(i);
+  const bool starts_full = n.trial.wetting_volume[p] == n.volume[p];  // full but for rounding is no event
+  return n.predicted[p] > n.volume[p] * (starts_full ? 1.0 + overfill : 1.0);
+}
+
+/// Takes a mixed pore from the linear model back to its law. Returns by how much it misses it: the lesser of the
+/// saturation and of the pressure over p_thr, since near S = 1 only the one, near 0 only the other is well conditioned.
 double move_to_law(Newton& n, int i) {
   const std::size_t p = to_size(i);
-  const double volume = n.volume[p], now = n.difference(i), scale = n.threshold(i);
-  Filling& filling = n.trial.filling[p];
+  const double volume = n.volume[p], now = n.difference(i), scale = n.threshold(i), predicted = n.predicted[p];
   double& water = n.trial.wetting_volume[p];
-  if (filling != Filling::mixed) {
-    const bool leaves = filling == Filling::full ? now > local_pressure(n.model, i, 1.0) : now < local_pressure(n.model, i, 0.0);
-    const bool misses = std::abs(n.predicted[p] - water) > overfill * volume;
-    const double miss = leaves || misses ? 1.0 : 0.0;
-    if (leaves) filling = Filling::mixed;
-    n.law_pressure[p] = now;
-    return miss;
-  }
-  const double predicted = n.predicted[p];
-  if (predicted >= volume) {
-    const double excess = (predicted - volume) / volume;
-    if (excess <= overfill && water == volume) return excess;
-    filling = Filling::full;
-    water = volume;
-    n.law_pressure[p] = now;
-    return 1.0;
-  }
-  if (predicted <= 0.0 && !n.model.thresholds.keeps_water[p] && water < least_left * volume) {
-    filling = Filling::emptied;
-    water = 0.0;
-    n.law_pressure[p] = now;
-    return 1.0;
-  }
+  if (overfills(n, i)) return close(n, i, Filling::full);
+  if (predicted <= 0.0 && !n.model.thresholds.keeps_water[p] && water < least_left * volume) return close(n, i, Filling::emptied);
   // Where the law is steep, the pressure knows the saturation better than the volume does.
   if (-local_slope(n.model, i, water / volume) > steep * scale && now > local_pressure(n.model, i, 1.0)) {
     water = volume * local_saturation(n.model, i, now);
     return std::abs(predicted - water) / volume;
   }
   const double least = least_left * water;
-  water = std::max(predicted, least);
-  if (predicted < least) return 1.0;
+  water = std::clamp(predicted, least, volume);
+  if (predicted < least) return not_yet;
   const double miss = std::abs(now - local_pressure(n.model, i, water / volume)) / scale;
   return miss / std::max(-local_slope(n.model, i, water / volume) / scale, 1.0);
+}
+
+/// The same for a step that is linear: the law stays where it was, and the step fails where it is left too far behind.
+double check_explicit(Newton& n, int i) {
+  const std::size_t p = to_size(i);
+  if (overfills(n, i)) return close(n, i, Filling::full);
+  const double water = n.trial.wetting_volume[p];
+  if (n.predicted[p] >= least_left * water) return 0.0;
+  return n.model.thresholds.keeps_water[p] || n.predicted[p] > 0.0 ? never : close(n, i, Filling::emptied);
+}
+
+/// Moves all pores after a solve. Returns the largest miss.
+double move_all(Newton& n) {
+  n.trial.mismatch = 0.0;
+  const bool is_explicit = n.model.options.scheme == TwoPhaseScheme::impes;
+  for (int i = 0; i < n.network.pores(); ++i) {
+    if (!n.has_capacitor(i)) continue;
+    const bool is_mixed = n.trial.filling[to_size(i)] == Filling::mixed;
+    const double miss = !is_mixed ? keep_closed(n, i) : is_explicit ? check_explicit(n, i) : move_to_law(n, i);
+    if (miss <= n.trial.mismatch) continue;
+    n.trial.mismatch = miss;
+    n.trial.worst_pore = i;
+  }
+  return n.trial.mismatch;
 }
 
 }  // namespace
@@ -287,18 +316,9 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
     for (int i = 0; i < network.pores(); ++i)
       if (n.has_capacitor(i)) set_capacitor(n, i);
     solve(n);
-    trial.mismatch = 0.0;
-    bool bounded = true;
-    for (int i = 0; i < network.pores(); ++i) {
-      if (!n.has_capacitor(i)) continue;
-      const double miss = move_to_law(n, i);
-      if (miss >= 1.0) bounded = false;
-      if (miss > trial.mismatch) {
-        trial.mismatch = miss;
-        trial.worst_pore = i;
-      }
-    }
-    trial.converged = n.is_explicit() ? bounded : trial.mismatch <= model.options.steps.tolerance;
+    const double miss = move_all(n);
+    if (miss == never) break;
+    trial.converged = miss <= model.options.steps.tolerance;
   }
   // Volumes by what flowed, so that nothing is lost between pores.
   net_outflow(network, n.throat.wetting, trial.wetting, trial.wetting_outflow);
