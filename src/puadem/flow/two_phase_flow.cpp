@@ -18,36 +18,6 @@ constexpr double shortest_step = 1e-12;
 
 bool gives_pressure(const FlowBoundary& boundary) { return boundary.kind == FlowBoundary::Kind::pressure; }
 
-/// How much a step moved: the volume exchanged over that of the front, which is all pores beside a throat with gas on one
-/// side only (or, where there is none, all pores with gas); and the largest change of a pore's saturation.
-struct StepChange {
-  double moved = 0.0, largest = 0.0;
-};
-StepChange change_of(const PoreNetwork& network, const TwoPhaseModel& model, std::span<const double> volume,
-                     const TwoPhaseTrial& trial, const TwoPhaseState& state) {
-  std::vector<std::uint8_t> at_front(volume.size());
-  const auto& gas = state.nonwetting.holds;
-  for (int t = 0; t < network.throats(); ++t) {
-    const auto [i, j] = network.throat_pores[to_size(t)];
-    if (gas[to_size(i)] != gas[to_size(j)] && model.thresholds.may_open[to_size(t)])
-      at_front[to_size(i)] = at_front[to_size(j)] = 1;
-  }
-  StepChange change;
-  double water = 0.0, front = 0.0, all = 0.0;
-  for (int i = 0; i < size_of(volume); ++i) {
-    const std::size_t p = to_size(i);
-    if (!model.is_counted(i)) continue;
-    if (at_front[p]) front += volume[p];
-    if (trial.filling[p] == PoreFilling::saturated) continue;
-    const double moved = std::abs(trial.wetting_volume[p] - state.wetting_volume[p]);
-    change.largest = std::max(change.largest, moved / volume[p]);
-    water += moved;
-    all += volume[p];
-  }
-  if (water > 0.0) change.moved = water / (front > 0.0 ? front : all);
-  return change;
-}
-
 /// Books what crossed the boundaries and takes the trial's volumes and pressures over.
 void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step, std::span<const double> old_volume,
             std::span<const double> volume, const BoundaryValues& values, const TwoPhaseTrial& trial, TwoPhaseState& state) {
@@ -102,7 +72,8 @@ struct Stepper {
 
   TwoPhaseTrial attempt(double step, const BoundaryValues& values) {
     for (std::size_t p = 0; p < volume_rate.size(); ++p) volume[p] = old_volume[p] + step * volume_rate[p];
-    TwoPhaseTrial trial = try_two_phase_step(network, model, step, old_volume, volume, values, state);
+    const double most = front_change < 1.0 ? 2.0 * front_change : std::numeric_limits<double>::infinity();
+    TwoPhaseTrial trial = try_two_phase_step(network, model, step, most, old_volume, volume, values, state);
     report.solves += trial.solves;
     report.seconds_assemble += trial.seconds_assemble;
     report.seconds_solve += trial.seconds_solve;
@@ -117,8 +88,8 @@ struct Stepper {
     for (;;) {
       const BoundaryValues at_end = values(step);
       const TwoPhaseTrial trial = attempt(step, at_end);
-      const StepChange change = change_of(network, model, volume, trial, state);
-      const bool too_long = front_change < 1.0 && change.moved > 2.0 * front_change;
+      const StepChange change = trial.change;
+      const bool too_long = front_change < 1.0 && change.front > 2.0 * front_change;
       if (trial.converged && !too_long) {
         accept(network, model, step, old_volume, volume, at_end, trial, state);
         state.time += step;
@@ -132,13 +103,13 @@ struct Stepper {
         std::swap(old_volume, volume);
         const double growth = model.options.steps.growth;
         const double factor =
-            front_change < 1.0 && change.moved > 0.0 ? std::clamp(front_change / change.moved, 0.3, growth) : growth;
+            front_change < 1.0 && change.front > 0.0 ? std::clamp(front_change / change.front, 0.3, growth) : growth;
         // A step cut short by the end of the call or a schedule says little of the next.
         state.time_step = std::max(step * factor, step == tried && tried < state.time_step ? state.time_step : 0.0);
         return step;
       }
       ++report.retries;
-      step *= trial.converged ? std::clamp(front_change / change.moved, 0.1, 0.6) : 0.25;
+      step *= trial.converged ? std::clamp(front_change / change.front, 0.1, 0.6) : 0.25;
       ensure(
           step > shortest_step * model.time_scale,
           "two-phase flow stands still at t = {:.6g} s (step {}): no step above {:.3g} s succeeds; pore {} misses its local law "

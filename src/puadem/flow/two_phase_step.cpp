@@ -28,6 +28,9 @@ constexpr double overfill = 1e-9;
 /// Slope of the local law over p_thr above which an iteration goes along the pressure, below along the volume.
 constexpr double steep = 2.0;
 
+/// Tolerance of the iterations while gas still finds pores to enter; the last are exact.
+constexpr double rough = 1e-2;
+
 struct Clock {
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
@@ -84,6 +87,8 @@ void start(Newton& n) {
   trial.wetting_volume = state.wetting_volume;
   trial.wetting = state.wetting_pressure;
   trial.nonwetting = state.nonwetting_pressure;
+  trial.wetting_clusters = state.wetting;
+  trial.nonwetting_clusters = state.nonwetting;
   trial.filling.resize(to_size(network.pores()));
   for (auto* v : {&n.law_pressure, &n.capacitance, &n.predicted, &trial.wetting_outflow, &trial.nonwetting_outflow})
     v->resize(to_size(network.pores()));
@@ -290,9 +295,86 @@ double move_all(Newton& n) {
   return n.trial.mismatch;
 }
 
+/// Solves the equations for the pores that hold gas so far. Volumes then go by what flowed, so that nothing is lost
+/// between pores.
+bool iterate(Newton& n, double tolerance) {
+  bool converged = false;
+  for (int k = 0; k < n.model.options.steps.newton_limit && !converged; ++k) {
+    for (int i = 0; i < n.network.pores(); ++i)
+      if (n.has_capacitor(i)) set_capacitor(n, i);
+    solve(n);
+    const double miss = move_all(n);
+    if (miss == never) break;
+    converged = miss <= tolerance;
+  }
+  net_outflow(n.network, n.throat.wetting, n.trial.wetting, n.trial.wetting_outflow);
+  net_outflow(n.network, n.throat.nonwetting, n.trial.nonwetting, n.trial.nonwetting_outflow);
+  for (int i = 0; i < n.network.pores(); ++i) {
+    const std::size_t p = to_size(i);
+    if (n.model.is_counted(i) && n.trial.filling[p] != Filling::empty)
+      n.trial.wetting_volume[p] = n.state.wetting_volume[p] - n.step * n.trial.wetting_outflow[p];
+  }
+  return converged;
+}
+
+StepChange change_of(const Newton& n) {
+  std::vector<std::uint8_t> at_front(n.volume.size());
+  const auto& gas = n.state.nonwetting.holds;
+  for (int t = 0; t < n.network.throats(); ++t) {
+    const auto [i, j] = n.network.throat_pores[to_size(t)];
+    if (gas[to_size(i)] != gas[to_size(j)] && n.model.thresholds.may_open[to_size(t)])
+      at_front[to_size(i)] = at_front[to_size(j)] = 1;
+  }
+  StepChange change;
+  double moved = 0.0, front = 0.0, all = 0.0;
+  for (int i = 0; i < n.network.pores(); ++i) {
+    const std::size_t p = to_size(i);
+    if (!n.model.is_counted(i)) continue;
+    if (at_front[p]) front += n.volume[p];
+    if (n.trial.filling[p] == Filling::saturated) continue;
+    const double water = std::abs(n.trial.wetting_volume[p] - n.state.wetting_volume[p]);
+    change.largest = std::max(change.largest, water / n.volume[p]);
+    moved += water;
+    all += n.volume[p];
+  }
+  if (moved > 0.0) change.front = moved / (front > 0.0 ? front : all);
+  return change;
+}
+
+/// Gas enters a pore within the step. All its throats to other gas that the pressure has passed open with the first.
+void invade(Newton& n, const PoreInvasion& invasion) {
+  TwoPhaseTrial& trial = n.trial;
+  const std::size_t into = to_size(invasion.into);
+  const auto pressure = [&](int i) {
+    if (!n.model.is_counted(i)) return 0.0;
+    return local_pressure(n.model, i, std::clamp(trial.wetting_volume[to_size(i)] / n.volume[to_size(i)], 0.0, 1.0));
+  };
+  const auto open = [&](int throat, int other) {
+    set_open(n.network, n.model, throat, true, trial.wetting_clusters, trial.nonwetting_clusters);
+    set_conductance(n.network, n.model, trial.wetting_clusters, trial.nonwetting_clusters,
+                    0.5 * (pressure(other) + pressure(invasion.into)), throat, n.throat);
+  };
+  const double potential = trial.nonwetting[to_size(invasion.from)];
+  if (!trial.nonwetting_clusters.holds[into]) {
+    trial.nonwetting_clusters.holds[into] = 1;
+    trial.filling[into] = Filling::mixed;
+    trial.wetting_volume[into] = n.volume[into];
+    for (const auto [neighbour, t] : n.model.links[invasion.into]) {
+      const bool may =
+          t != invasion.throat && trial.nonwetting_clusters.holds[to_size(neighbour)] && n.model.thresholds.may_open[to_size(t)];
+      if (may && pressure_across(n.network, n.model, t, trial.nonwetting[to_size(neighbour)], trial.wetting[into]) >
+                     n.model.thresholds.entry_pressure[to_size(t)])
+        open(t, neighbour);
+    }
+    trial.nonwetting[into] = potential;
+    trial.invasions.push_back(invasion);
+  }
+  if (!trial.nonwetting_clusters.passes[to_size(invasion.throat)]) open(invasion.throat, invasion.from);
+}
+
 }  // namespace
 
-TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step,
+TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step, double most_change,
                                  std::span<const double> old_volume, std::span<const double> volume,
                                  const BoundaryValues& boundary, const TwoPhaseState& state) {
   TwoPhaseTrial trial;
@@ -312,21 +394,16 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
            {}};
   start(n);
   trial.seconds_assemble += assembling.seconds();
-  while (!trial.converged && trial.solves < model.options.steps.newton_limit) {
-    for (int i = 0; i < network.pores(); ++i)
-      if (n.has_capacitor(i)) set_capacitor(n, i);
-    solve(n);
-    const double miss = move_all(n);
-    if (miss == never) break;
-    trial.converged = miss <= model.options.steps.tolerance;
-  }
-  // Volumes by what flowed, so that nothing is lost between pores.
-  net_outflow(network, n.throat.wetting, trial.wetting, trial.wetting_outflow);
-  net_outflow(network, n.throat.nonwetting, trial.nonwetting, trial.nonwetting_outflow);
-  for (int i = 0; i < network.pores(); ++i) {
-    const std::size_t p = to_size(i);
-    if (model.is_counted(i) && trial.filling[p] != Filling::empty)
-      trial.wetting_volume[p] = state.wetting_volume[p] - step * trial.wetting_outflow[p];
+  const double tolerance = model.options.steps.tolerance;
+  bool exact = false;
+  for (;;) {
+    trial.converged = iterate(n, exact ? tolerance : std::max(tolerance, rough));
+    trial.change = change_of(n);
+    if (!trial.converged || trial.change.front > most_change) return trial;
+    const std::vector<PoreInvasion> invasions = next_invasions(network, model, state, trial);
+    if (invasions.empty() && exact) break;
+    exact = invasions.empty();
+    for (const PoreInvasion& invasion : invasions) invade(n, invasion);
   }
   return trial;
 }

@@ -17,14 +17,30 @@ enum class PoreFilling : std::uint8_t {
   empty,      ///< gas alone
 };
 
+/// Gas that entered a pore within a step.
+struct PoreInvasion {
+  int throat, from, into;
+  double pressure;  ///< difference across the throat at the step's end, just before [Pa]
+  double crossing;  ///< share of the step at which it passed the threshold [-]
+};
+
+/// How much a step moved: the volume exchanged over that of the front, which is all pores beside a throat with gas on one
+/// side only (or, where there is none, all pores with gas); and the largest change of a pore's saturation.
+struct StepChange {
+  double front = 0.0, largest = 0.0;
+};
+
 /// The end of a step that was tried. Potentials are pressures less their hydrostatic part.
 struct TwoPhaseTrial {
   bool converged = false;
   int solves = 0;
-  int worst_pore = -1;                      ///< the one that misses its local law most [-]
-  double mismatch = 0.0;                    ///< by this share
-  std::vector<double> wetting_volume;       ///< [m3]
-  std::vector<double> wetting, nonwetting;  ///< potentials per pore [Pa]
+  int worst_pore = -1;    ///< the one that misses its local law most
+  double mismatch = 0.0;  ///< by this share [-]
+  StepChange change;
+  FluidClusters wetting_clusters, nonwetting_clusters;  ///< where the fluids stand, invasions of the step included
+  std::vector<PoreInvasion> invasions;                  ///< in their order
+  std::vector<double> wetting_volume;                   ///< [m3]
+  std::vector<double> wetting, nonwetting;              ///< potentials per pore [Pa]
   std::vector<PoreFilling> filling;
   std::vector<double> wetting_outflow, nonwetting_outflow;  ///< per pore, net [m3/s]
   double seconds_assemble = 0.0, seconds_solve = 0.0;
@@ -33,10 +49,16 @@ struct TwoPhaseTrial {
 /// Values of the boundaries' schedules for a step: pressures [Pa] or flow rates [m3/s].
 using BoundaryValues = std::vector<double>;
 
-/// Tries a step: pressures and saturations at its end, conductances those of its start. The state stays as it is.
+/// Tries a step: pressures, saturations and invaded pores at its end, conductances else those of its start. The state
+/// stays as it is. Where the change exceeds `most_change` the trial is left as soon as that is seen.
 /// @param volume  of each pore at the step's end [m3]; @param old_volume  at its start
-TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step,
+TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step, double most_change,
                                  std::span<const double> old_volume, std::span<const double> volume,
                                  const BoundaryValues& boundary, const TwoPhaseState& state);
+
+/// Pores that gas enters next in a step whose end is known so far: of all that are due, those whose threshold was passed
+/// first, together with whatever was passed at nearly the same time (theory 6.4).
+std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
+                                         const TwoPhaseTrial& trial);
 
 }  // namespace puadem

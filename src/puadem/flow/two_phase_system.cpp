@@ -63,6 +63,23 @@ std::shared_ptr<TwoPhaseModel::Solver> make_two_phase_solver(const PoreNetwork& 
   return solver;
 }
 
+void set_conductance(const PoreNetwork& network, const TwoPhaseModel& model, const FluidClusters& wetting,
+                     const FluidClusters& nonwetting, double pressure, int throat, TwoPhaseConductances& k) {
+  const std::size_t t = to_size(throat);
+  k.wetting[t] = k.nonwetting[t] = 0.0;
+  if (network.throat_entry_radius[t] <= 0.0) return;
+  const std::size_t i = to_size(network.throat_pores[t][0]), j = to_size(network.throat_pores[t][1]);
+  const double whole = network.throat_conductance[t];
+  if (nonwetting.passes[t]) k.nonwetting[t] = whole * model.films.nonwetting[t] / model.fluids.nonwetting.viscosity;
+  // A pore without wetting fluid has none to give, and its side of the throat ends in a meniscus.
+  if (!wetting.passes[t] || !wetting.holds[i] || !wetting.holds[j]) return;
+  k.wetting[t] = whole / model.fluids.wetting.viscosity;
+  if (!nonwetting.passes[t]) return;
+  const double share =
+      model.films.wetting_at_entry[t] * std::pow(model.thresholds.entry_pressure[t] / pressure, model.films.exponent[t]);
+  k.wetting[t] *= std::min(share, 1.0);  // no corner carries more than the throat
+}
+
 TwoPhaseConductances two_phase_conductances(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state) {
   const std::size_t throats = to_size(network.throats());
   TwoPhaseConductances k{std::vector<double>(throats), std::vector<double>(throats)};
@@ -70,22 +87,27 @@ TwoPhaseConductances two_phase_conductances(const PoreNetwork& network, const Tw
   for (int i = 0; i < network.pores(); ++i)
     if (state.nonwetting.holds[to_size(i)] && model.is_counted(i))
       pressure[to_size(i)] = capillary_pressure(network, model, i, state);
-  parallel_for(network.throats(), [&](int index) {
-    const std::size_t t = to_size(index);
-    if (network.throat_entry_radius[t] <= 0.0) return;
-    const std::size_t i = to_size(network.throat_pores[t][0]), j = to_size(network.throat_pores[t][1]);
-    const double whole = network.throat_conductance[t];
-    if (state.nonwetting.passes[t]) k.nonwetting[t] = whole * model.films.nonwetting[t] / model.fluids.nonwetting.viscosity;
-    // A pore without wetting fluid has none to give, and its side of the throat ends in a meniscus.
-    if (!state.wetting.passes[t] || !state.wetting.holds[i] || !state.wetting.holds[j]) return;
-    k.wetting[t] = whole / model.fluids.wetting.viscosity;
-    if (!state.nonwetting.passes[t]) return;
-    const double across = 0.5 * (pressure[i] + pressure[j]);
-    const double share =
-        model.films.wetting_at_entry[t] * std::pow(model.thresholds.entry_pressure[t] / across, model.films.exponent[t]);
-    k.wetting[t] *= std::min(share, 1.0);  // no corner carries more than the throat
+  parallel_for(network.throats(), [&](int t) {
+    const auto [i, j] = network.throat_pores[to_size(t)];
+    set_conductance(network, model, state.wetting, state.nonwetting, 0.5 * (pressure[to_size(i)] + pressure[to_size(j)]), t, k);
   });
   return k;
+}
+
+void set_open(const PoreNetwork& network, const TwoPhaseModel& model, int throat, bool open, FluidClusters& wetting,
+              FluidClusters& nonwetting) {
+  const auto [i, j] = network.throat_pores[to_size(throat)];
+  const auto& keeps = model.thresholds.keeps_water;
+  nonwetting.passes[to_size(throat)] = open;
+  wetting.passes[to_size(throat)] = !open || (model.options.corner_films && keeps[to_size(i)] && keeps[to_size(j)]);
+}
+
+double pressure_across(const PoreNetwork& network, const TwoPhaseModel& model, int throat, double gas_potential,
+                       double wetting_potential) {
+  const auto [i, j] = network.throat_pores[to_size(throat)];
+  const Vec3 place = 0.5 * (network.pore_centre[to_size(i)] + network.pore_centre[to_size(j)]);
+  return gas_potential - wetting_potential + hydrostatic(model, FluidPhase::nonwetting, place) -
+         hydrostatic(model, FluidPhase::wetting, place);
 }
 
 void net_outflow(const PoreNetwork& network, std::span<const double> conductance, std::span<const double> potential,

@@ -31,6 +31,20 @@ struct TwoPhaseConductances {
 };
 TwoPhaseConductances two_phase_conductances(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state);
 
+/// The same of one throat, after it has opened or closed.
+/// @param pressure  mean capillary pressure of the two pores, where both hold gas [Pa]
+void set_conductance(const PoreNetwork& network, const TwoPhaseModel& model, const FluidClusters& wetting,
+                     const FluidClusters& nonwetting, double pressure, int throat, TwoPhaseConductances& conductances);
+
+/// Lets gas pass a throat, or no longer. Corners of an open throat pass the wetting fluid where both pores keep some.
+void set_open(const PoreNetwork& network, const TwoPhaseModel& model, int throat, bool open, FluidClusters& wetting,
+              FluidClusters& nonwetting);
+
+/// Pressure of gas in one pore over that of the wetting fluid in another, at the throat between them [Pa]. Potentials
+/// are pressures less their hydrostatic part.
+double pressure_across(const PoreNetwork& network, const TwoPhaseModel& model, int throat, double gas_potential,
+                       double wetting_potential);
+
 /// Net flow of a fluid out of each pore, from potentials (pressures less their hydrostatic part) [m3/s].
 void net_outflow(const PoreNetwork& network, std::span<const double> conductance, std::span<const double> potential,
                  std::span<double> outflow);

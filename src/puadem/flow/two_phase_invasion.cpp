@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <cmath>
+
+#include "puadem/flow/capillary_laws/regular_polyhedron.hpp"
+#include "puadem/flow/two_phase_step.hpp"
+#include "puadem/flow/two_phase_system.hpp"
+
+namespace puadem {
+
+namespace {
+
+/// Invasions due within this share of a step are taken together.
+constexpr double together = 0.5;
+
+/// May gas leave a pore for a throat?
+bool may_leave(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseTrial& trial, int i) {
+  if (!model.options.touching_first || !model.is_counted(i)) return true;
+  const RegularPolyhedron shape = regular_polyhedron(model.thresholds.unit[to_size(i)].faces);
+  return trial.wetting_volume[to_size(i)] <= shape.touching_saturation() * network.pore_volume[to_size(i)];
+}
+
+/// Share of the step at which a throat's pressure difference passed its threshold; 0 where it had before, or where gas has
+/// only come to it within the step.
+double crossing(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state, int throat, int from,
+                int into, double threshold, double at_end) {
+  if (!state.nonwetting.holds[to_size(from)]) return 0.0;
+  const double at_start = pressure_across(
+      network, model, throat,
+      state.nonwetting_pressure[to_size(from)] - hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[to_size(from)]),
+      state.wetting_pressure[to_size(into)] - hydrostatic(model, FluidPhase::wetting, network.pore_centre[to_size(into)]));
+  return at_start >= threshold ? 0.0 : (threshold - at_start) / (at_end - at_start);
+}
+
+}  // namespace
+
+std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
+                                         const TwoPhaseTrial& trial) {
+  std::vector<PoreInvasion> due;
+  const auto& holds = trial.nonwetting_clusters.holds;
+  double first = 1.0;
+  for (int t = 0; t < network.throats(); ++t) {
+    const auto [i, j] = network.throat_pores[to_size(t)];
+    if (holds[to_size(i)] == holds[to_size(j)] || !model.thresholds.may_open[to_size(t)]) continue;
+    const int from = holds[to_size(i)] ? i : j, into = holds[to_size(i)] ? j : i;
+    if (!model.is_counted(into) || !may_leave(network, model, trial, from)) continue;
+    const double threshold = std::max(model.thresholds.entry_pressure[to_size(t)], model.thresholds.body_pressure[to_size(into)]);
+    const double pressure = pressure_across(network, model, t, trial.nonwetting[to_size(from)], trial.wetting[to_size(into)]);
+    if (pressure <= threshold) continue;
+    due.push_back({t, from, into, pressure, crossing(network, model, state, t, from, into, threshold, pressure)});
+    first = std::min(first, due.back().crossing);
+  }
+  std::erase_if(due, [&](const PoreInvasion& invasion) { return invasion.crossing > first + together; });
+  std::ranges::stable_sort(due, {}, &PoreInvasion::crossing);
+  return due;
+}
+
+}  // namespace puadem
