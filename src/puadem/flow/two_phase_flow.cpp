@@ -16,6 +16,14 @@ namespace {
 /// A step this short, over the time scale, means that the run has come to a stand.
 constexpr double shortest_step = 1e-12;
 
+/// A step to rest may be this long over the drainage time of the fastest pore: in a longer one the rounding of its flows
+/// alone would move more than 1e-8 of its volume.
+constexpr double longest_rest = 1e7;
+
+/// Steps in a row without change that count as rest whatever events they have: gas may come and go in a pore whose wetting
+/// fluid is cut off, where nothing else can move.
+constexpr int idle_events = 3;
+
 bool gives_pressure(const FlowBoundary& boundary) { return boundary.kind == FlowBoundary::Kind::pressure; }
 
 /// Books what crossed the boundaries and takes the trial's volumes and pressures over.
@@ -208,14 +216,15 @@ TwoPhaseReport equilibrate_two_phase(const PoreNetwork& network, const TwoPhaseM
   Stepper stepper = make_stepper(network, model, state, callbacks, 1.0);
   BoundaryValues now;
   for (const FlowBoundary& boundary : model.boundaries) now.push_back(boundary.schedule.at(state.time));
-  const double longest = rest.duration * model.time_scale;
-  state.time_step = std::max(state.time_step, model.time_scale);
-  for (;;) {
+  const double longest = std::min(rest.duration * model.time_scale, longest_rest * model.shortest_time);
+  state.time_step = std::max(state.time_step, std::min(model.time_scale, longest));
+  for (int still = 0;;) {
     long events = 0;
     const double step = stepper.advance(
         longest, [&](double) { return now; }, events);
     if (!stepper.goes_on()) break;
-    if (events == 0 && step >= longest && stepper.report.largest_change < rest.saturation_change) break;
+    still = step >= longest && stepper.report.largest_change < rest.saturation_change ? still + 1 : 0;
+    if (still > 0 && (events == 0 || still == idle_events)) break;
   }
   return stepper.report;
 }

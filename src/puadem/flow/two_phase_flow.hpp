@@ -75,7 +75,8 @@ struct TwoPhaseModel {
   InvasionThresholds thresholds;
   PoreLinks links;
   ThroatFilms films;
-  double time_scale = 0.0;  ///< in which a pore drains through its throats [s]
+  double time_scale = 0.0;     ///< in which the median pore drains through its throats [s]
+  double shortest_time = 0.0;  ///< the same of the fastest pore [s]
 
   struct Solver;
   std::shared_ptr<Solver> solver;  ///< pattern and factors, kept between steps
@@ -146,8 +147,9 @@ TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel
 
 /// When two fluids count as being at rest.
 struct RestCriterion {
-  double saturation_change = 1e-8;  ///< largest of a pore in a step of `duration` without events [-]
-  double duration = 1e6;            ///< in units of `TwoPhaseModel::time_scale` [-]
+  double saturation_change = 1e-7;  ///< largest of a pore in a step of `duration` without events [-]
+  /// In units of `TwoPhaseModel::time_scale`, where the rounding of flows in the fastest pore lets steps be as long [-].
+  double duration = 1e6;
 };
 
 /// Follows the flow under the boundary conditions of the present time, in steps as long as events and Newton's

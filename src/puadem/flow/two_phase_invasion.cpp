@@ -19,6 +19,20 @@ bool may_leave(const PoreNetwork& network, const TwoPhaseModel& model, const Two
   return trial.wetting_volume[to_size(i)] <= shape.touching_saturation() * network.pore_volume[to_size(i)];
 }
 
+/// Has the wetting fluid of a pore a way out that stays once gas comes through a throat? All throats to other gas whose
+/// entry the pressure has passed open with the first.
+bool has_outlet(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseTrial& trial, int throat, int into) {
+  if (model.options.corner_films && model.thresholds.keeps_water[to_size(into)]) return true;
+  for (const auto [neighbour, t] : model.links[into]) {
+    if (t == throat || !trial.wetting_clusters.passes[to_size(t)] || !trial.wetting_clusters.holds[to_size(neighbour)]) continue;
+    if (!trial.nonwetting_clusters.holds[to_size(neighbour)] || !model.thresholds.may_open[to_size(t)]) return true;
+    if (pressure_across(network, model, t, trial.nonwetting[to_size(neighbour)], trial.wetting[to_size(into)]) <=
+        model.thresholds.entry_pressure[to_size(t)])
+      return true;
+  }
+  return false;
+}
+
 /// Share of the step at which a throat's pressure difference passed its threshold; 0 where it had before, or where gas has
 /// only come to it within the step.
 double crossing(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state, int throat, int from,
@@ -45,7 +59,7 @@ std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPh
     if (!model.is_counted(into) || !may_leave(network, model, trial, from)) continue;
     const double threshold = std::max(model.thresholds.entry_pressure[to_size(t)], model.thresholds.body_pressure[to_size(into)]);
     const double pressure = pressure_across(network, model, t, trial.nonwetting[to_size(from)], trial.wetting[to_size(into)]);
-    if (pressure <= threshold) continue;
+    if (pressure <= threshold || !has_outlet(network, model, trial, t, into)) continue;
     due.push_back({t, from, into, pressure, crossing(network, model, state, t, from, into, threshold, pressure)});
     first = std::min(first, due.back().crossing);
   }

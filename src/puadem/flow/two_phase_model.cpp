@@ -104,6 +104,7 @@ void set_sizes(const PoreNetwork& network, TwoPhaseModel& model) {
   model.void_volume = volume.value();
   std::ranges::nth_element(times, times.begin() + size_of(times) / 2);
   model.time_scale = times[times.size() / 2];
+  model.shortest_time = std::ranges::min(times);
 }
 
 }  // namespace

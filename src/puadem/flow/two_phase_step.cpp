@@ -247,7 +247,7 @@ double keep_closed(Newton& n, int i) {
 
 bool overfills(const Newton& n, int i) {
   const std::size_t p = to_size(i);
-  const bool starts_full = n.trial.wetting_volume[p] == n.volume[p];  // full but for rounding is no event
+  const bool starts_full = n.state.wetting_volume[p] >= n.old_volume[p] * (1.0 - overfill);  // rounding is no event
   return n.predicted[p] > n.volume[p] * (starts_full ? 1.0 + overfill : 1.0);
 }
 
