@@ -179,6 +179,61 @@ TEST(TwoPhaseChain, TrappedGasKeepsItsVolume) {
   EXPECT_NEAR(totals(network, model, state).trapped_nonwetting, 1.2 / 8.0, 1e-8);
 }
 
+TEST(TwoPhaseChain, CutOffIdealGasKeepsPressureTimesVolume) {
+  // The bubble of the former test between tight throats, its absolute pressure doubled from both ends.
+  const PoreNetwork network = upright_chain(std::vector<double>(9, 50.0), 1e-3, 1.0);
+  FlowBoundary top = water_boundary(network, Schedule{{0.0, 1e3}, {0.0, 100.0}});
+  FlowBoundary bottom = top;
+  top.name = "top";
+  top.pores = face_pores(network, 5);
+  TwoPhaseOptions options;
+  options.gas = GasKind::ideal;
+  options.reference_pressure = 100.0;
+  const TwoPhaseModel model = make_two_phase_model(network, unit_fluids(), options, {top, bottom}, usual_throat_films(network));
+  TwoPhaseState state = start_two_phase(network, model);
+  const auto gas = [&](int i) { return network.pore_volume[to_size(i)] - state.wetting_volume[to_size(i)]; };
+  const auto amount = [&] {
+    double sum = 0.0;
+    for (const int i : {4, 5}) sum += (state.nonwetting_pressure[to_size(i)] + 100.0) * gas(i);
+    return sum;
+  };
+  for (const int i : {4, 5}) {
+    state.nonwetting.holds[to_size(i)] = 1;
+    state.wetting_volume[to_size(i)] = 0.2;
+    state.nonwetting_pressure[to_size(i)] = capillary_pressure(network, model, i, state);
+    state.gas_amount[to_size(i)] = (state.nonwetting_pressure[to_size(i)] + 100.0) * gas(i);
+  }
+  state.nonwetting.passes[4] = 1;
+  connect_all(model.links, state.nonwetting);
+  const double before = amount();
+  const TwoPhaseState start = state;
+  advance_two_phase(network, model, 2e3, {}, state);
+  EXPECT_NEAR(amount() / before, 1.0, 1e-6);
+  EXPECT_LT(gas(4) + gas(5), 0.55 * 1.6);
+  EXPECT_NEAR(state.gas_amount[4] + state.gas_amount[5], before, 1e-9 * before);
+  EXPECT_LT(ledger_error(network, model, start, state), 1e-9);
+}
+
+TEST(TwoPhaseChain, DryPoresEmptyAndRefill) {
+  // At 60 degrees no edge holds water: a pore drains to nothing, and water comes back where its front passes the throats.
+  const PoreNetwork network = upright_chain({0.5, 0.6, 0.7, 2.0}, 1e-3, 1e3);
+  Fluids fluids = unit_fluids();
+  fluids.contact_angle = 1.05;
+  TwoPhaseModel model = make_model(network, fluids, {}, Schedule::constant(-1.0));
+  const TwoPhaseState start = start_two_phase(network, model);
+  TwoPhaseState state = start;
+  for (const double suction : {0.55, 0.65, 0.75}) {
+    model.boundaries[1].schedule = Schedule::constant(-suction);
+    equilibrate_two_phase(network, model, {}, state);
+  }
+  for (const int i : {1, 2, 3}) EXPECT_EQ(state.wetting_volume[to_size(i)], 0.0) << i;
+  EXPECT_LT(ledger_error(network, model, start, state), 1e-9);
+  model.boundaries[1].schedule = Schedule::constant(-0.01);
+  equilibrate_two_phase(network, model, {}, state);
+  for (const int i : {1, 2, 3}) EXPECT_NEAR(state.wetting_volume[to_size(i)], 1e3, 1e-5) << i;
+  EXPECT_LT(ledger_error(network, model, start, state), 1e-9);
+}
+
 TEST(TwoPhaseChain, AGivenRateIsWhatLeaves) {
   const PoreNetwork network = with_conductance(random_network(200, 9));
   FlowBoundary outlet = water_boundary(network, Schedule::constant(0.0));

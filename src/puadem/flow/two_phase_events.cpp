@@ -1,6 +1,7 @@
 #include "puadem/flow/two_phase_events.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "puadem/flow/two_phase_system.hpp"
 
@@ -54,13 +55,22 @@ void fill(Moves& m, int pore) {
   if (closed || m.model.pore_boundary[p] < 0) m.report(Kind::fill, m.trial.nonwetting[p] - m.trial.wetting[p], pore, -1);
 }
 
+/// Does a front enter a dry pore again? It does through the tightest throat that holds wetting fluid back (theory 4.4).
+bool front_comes(const Moves& m, int pore) {
+  double tightest = 0.0, least = std::numeric_limits<double>::infinity();
+  for (const auto [neighbour, t] : m.model.links[pore]) {
+    if (m.state.nonwetting.passes[to_size(t)] || !m.has_water(neighbour)) continue;
+    tightest = std::max(tightest, m.model.thresholds.entry_pressure[to_size(t)]);
+    least = std::min(least, m.across(t, pore, neighbour));
+  }
+  return least < std::min(tightest, m.model.thresholds.body_pressure[to_size(pore)]);
+}
+
 }  // namespace
 
 long carry_out_events(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseTrial& trial, TwoPhaseState& state,
                       const TwoPhaseCallbacks& callbacks) {
   Moves m{network, model, trial, state, callbacks};
-  state.wetting = trial.wetting_clusters;
-  state.nonwetting = trial.nonwetting_clusters;
   for (const PoreInvasion& invasion : trial.invasions) m.report(Kind::drain, invasion.pressure, invasion.into, invasion.throat);
   // Throats that join gas, and throats whose menisci meet: p_so <= p_e, so that none is both.
   std::vector<int> opening, closing;
@@ -82,12 +92,21 @@ long carry_out_events(const PoreNetwork& network, const TwoPhaseModel& model, co
     m.set(t, false);
     m.report(Kind::snap_off, push(m, t), -1, t);
   }
+  long changed = 0;  // pores that ran dry, or that a front enters
   for (int i = 0; i < network.pores(); ++i) {
     if (trial.filling[to_size(i)] == PoreFilling::full) fill(m, i);
-    if (trial.filling[to_size(i)] == PoreFilling::emptied) state.wetting.holds[to_size(i)] = 0;
+    if (trial.filling[to_size(i)] == PoreFilling::emptied) {
+      state.wetting.holds[to_size(i)] = 0;
+      state.wetting_volume[to_size(i)] = 0.0;
+      ++changed;
+    }
+    if (trial.filling[to_size(i)] == PoreFilling::empty && front_comes(m, i)) {
+      state.wetting.holds[to_size(i)] = 1;
+      ++changed;
+    }
   }
-  if (m.count > 0) find_clusters(model, state, callbacks);
-  return m.count;
+  if (m.count + changed > 0) find_clusters(model, state, callbacks);
+  return m.count + changed;
 }
 
 void find_clusters(const TwoPhaseModel& model, TwoPhaseState& state, const TwoPhaseCallbacks& callbacks) {

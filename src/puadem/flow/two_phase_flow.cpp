@@ -54,9 +54,10 @@ void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step,
                                               : (is_gas ? trial.nonwetting : trial.wetting)[to_size(first)] +
                                                     hydrostatic(model, boundary.fluid, model.boundary_place[to_size(b)]);
   }
+  state.ledger.book(0.0, trial.expansion);
   for (int i = 0; i < network.pores(); ++i) {
     const std::size_t p = to_size(i);
-    const bool gas = state.nonwetting.holds[p];
+    const bool gas = trial.nonwetting_clusters.holds[p];
     const double gas_pressure = trial.nonwetting[p] + hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[p]);
     state.wetting_volume[p] = trial.wetting_volume[p];
     state.nonwetting_pressure[p] = gas ? gas_pressure : 0.0;
@@ -105,7 +106,12 @@ struct Stepper {
         ++report.steps;
         report.largest_change = change.largest;
         const auto begin = std::chrono::steady_clock::now();
+        const std::vector<std::uint8_t> was_connected = state.nonwetting.connected;
+        state.wetting = trial.wetting_clusters;
+        state.nonwetting = trial.nonwetting_clusters;
+        spread_cut_off_gas(network, model, state);
         events = carry_out_events(network, model, trial, state, callbacks);
+        note_cut_off_gas(network, model, was_connected, state);
         report.seconds_events += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         report.events += events;
         std::swap(old_volume, volume);

@@ -43,6 +43,7 @@ void check_options(const PoreNetwork& network, const TwoPhaseModel& model) {
           "iteration");
   require(options.gas != GasKind::ideal || options.reference_pressure > 0.0,
           "ideal gas needs a reference pressure above 0, it is {} Pa", options.reference_pressure);
+  require(!options.cooperative_filling, "cooperative filling is not available: leave cooperative_filling off");
   int with_gas = 0;
   for (const FlowBoundary& b : model.boundaries) with_gas += b.fluid == FluidPhase::nonwetting;
   require(options.gas != GasKind::connected || with_gas == 1,

@@ -25,6 +25,8 @@ constexpr double closed_capacitance = 1e-6;
 constexpr double least_left = 0.2;
 /// By how much of its volume a full pore may be too full, an emptied one too empty: the next step takes it back.
 constexpr double overfill = 1e-9;
+/// Largest error of the volume of ideal gas, over its pore's.
+constexpr double gas_accuracy = 1e-12;
 /// Slope of the local law over p_thr above which an iteration goes along the pressure, below along the volume.
 constexpr double steep = 2.0;
 
@@ -50,6 +52,7 @@ struct Newton {
   std::vector<double> law_pressure;  ///< of a mixed pore; of a full or emptied one the difference it has
   std::vector<double> capacitance;   ///< [m3/Pa]
   std::vector<double> predicted;     ///< wetting volume after a solve [m3]
+  double gas_misfit = 0.0;           ///< largest error of a pore's gas volume by its law made linear, over the pore's [-]
 
   double height(int i) const {  // turns a difference of potentials into one of pressures
     return hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[to_size(i)]) -
@@ -119,6 +122,25 @@ double storage(const Newton& n, int i) {
   return (n.trial.wetting_volume[p] - n.state.wetting_volume[p] - linear) / n.step;
 }
 
+/// Absolute pressure of cut-off ideal gas in a pore [Pa]; 0 for gas that keeps its volume.
+double ideal_pressure(const Newton& n, int i) {
+  if (n.state.gas_amount[to_size(i)] <= 0.0) return 0.0;
+  const double pressure =
+      n.trial.nonwetting[to_size(i)] + hydrostatic(n.model, FluidPhase::nonwetting, n.network.pore_centre[to_size(i)]);
+  const double absolute = pressure + n.model.options.reference_pressure;
+  ensure(absolute > 0.0,
+         "cut-off gas in pore {} has the absolute pressure {:.4g} Pa at t = {:.6g} s (step {}); is reference_pressure right?", i,
+         absolute, n.state.time, n.state.steps);
+  return absolute;
+}
+
+/// By how much the gas of a pore has grown against the start, at its pressure so far (theory 6.3) [m3].
+double expansion(const Newton& n, int i) {
+  const double pressure = ideal_pressure(n, i);
+  if (pressure == 0.0) return 0.0;
+  return n.state.gas_amount[to_size(i)] / pressure - (n.old_volume[to_size(i)] - n.state.wetting_volume[to_size(i)]);
+}
+
 /// residual = what does not balance at the present potentials [m3/s].
 void find_residual(Newton& n) {
   const auto& solver = n.solver;
@@ -132,7 +154,8 @@ void find_residual(Newton& n) {
     if (solver.wetting[p] >= 0 && n.trial.filling[p] != Filling::empty)
       n.solver.residual[to_size(solver.wetting[p])] += n.trial.wetting_outflow[p] + stored;
     if (solver.nonwetting[p] >= 0 && n.trial.filling[p] != Filling::saturated)
-      n.solver.residual[to_size(solver.nonwetting[p])] += n.trial.nonwetting_outflow[p] + grown - stored;
+      n.solver.residual[to_size(solver.nonwetting[p])] +=
+          n.trial.nonwetting_outflow[p] + grown - stored - expansion(n, i) / n.step;
   }
   for (int b = 0; b < size_of(n.model.boundaries); ++b) {
     const FlowBoundary& boundary = n.model.boundaries[to_size(b)];
@@ -189,6 +212,8 @@ void assemble(Newton& n) {
   add_throats(n, n.throat.wetting, solver.wetting, solver.wetting_link);
   add_throats(n, n.throat.nonwetting, solver.nonwetting, solver.nonwetting_link);
   for (int i = 0; i < n.network.pores(); ++i) {
+    if (const double pressure = ideal_pressure(n, i); pressure > 0.0)
+      solver.diagonal[to_size(solver.nonwetting[to_size(i)])] += n.state.gas_amount[to_size(i)] / (pressure * pressure * n.step);
     if (!n.has_capacitor(i)) continue;
     const double c = n.capacitance[to_size(i)] / n.step;
     if (const int link = solver.capacitor[to_size(i)]; link >= 0)
@@ -212,11 +237,16 @@ void solve(Newton& n) {
   n.solver.system->solve(n.solver.residual, n.solver.increment);
   ++n.trial.solves;
   n.trial.seconds_solve += solving.seconds();
+  n.gas_misfit = 0.0;
   for (int i = 0; i < n.network.pores(); ++i) {
     const std::size_t p = to_size(i);
     n.predicted[p] = n.trial.wetting_volume[p];
     if (const int a = n.solver.wetting[p]; a >= 0 && n.trial.filling[p] != Filling::empty)
       n.trial.wetting[p] += n.solver.increment[to_size(a)];
+    if (const double pressure = ideal_pressure(n, i); pressure > 0.0) {
+      const double share = n.solver.increment[to_size(n.solver.nonwetting[p])] / pressure;
+      n.gas_misfit = std::max(n.gas_misfit, n.state.gas_amount[p] / pressure * share * share / n.volume[p]);
+    }
     if (const int a = n.solver.nonwetting[p]; a >= 0 && n.trial.filling[p] != Filling::saturated)
       n.trial.nonwetting[p] += n.solver.increment[to_size(a)];
     if (n.has_capacitor(i)) n.predicted[p] -= n.capacitance[p] * (n.difference(i) - n.law_pressure[p]);
@@ -305,7 +335,7 @@ bool iterate(Newton& n, double tolerance) {
     solve(n);
     const double miss = move_all(n);
     if (miss == never) break;
-    converged = miss <= tolerance;
+    converged = miss <= tolerance && n.gas_misfit <= gas_accuracy;
   }
   net_outflow(n.network, n.throat.wetting, n.trial.wetting, n.trial.wetting_outflow);
   net_outflow(n.network, n.throat.nonwetting, n.trial.nonwetting, n.trial.nonwetting_outflow);
@@ -405,6 +435,7 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
     exact = invasions.empty();
     for (const PoreInvasion& invasion : invasions) invade(n, invasion);
   }
+  for (int i = 0; i < network.pores(); ++i) trial.expansion += expansion(n, i);
   return trial;
 }
 

@@ -37,6 +37,7 @@ struct TwoPhaseTrial {
   int worst_pore = -1;    ///< the one that misses its local law most
   double mismatch = 0.0;  ///< by this share [-]
   StepChange change;
+  double expansion = 0.0;                               ///< of cut-off ideal gas in the step [m3]
   FluidClusters wetting_clusters, nonwetting_clusters;  ///< where the fluids stand, invasions of the step included
   std::vector<PoreInvasion> invasions;                  ///< in their order
   std::vector<double> wetting_volume;                   ///< [m3]
@@ -55,6 +56,13 @@ using BoundaryValues = std::vector<double>;
 TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step, double most_change,
                                  std::span<const double> old_volume, std::span<const double> volume,
                                  const BoundaryValues& boundary, const TwoPhaseState& state);
+
+/// Amounts of cut-off ideal gas after a step: within each cluster they spread to one pressure...
+void spread_cut_off_gas(const PoreNetwork& network, const TwoPhaseModel& model, TwoPhaseState& state);
+/// ... and after its events: gas just cut off has the amount it has, gas reached again has none of its own.
+/// @param was_connected  per pore: gas that reached a boundary before the events
+void note_cut_off_gas(const PoreNetwork& network, const TwoPhaseModel& model, std::span<const std::uint8_t> was_connected,
+                      TwoPhaseState& state);
 
 /// Pores that gas enters next in a step whose end is known so far: of all that are due, those whose threshold was passed
 /// first, together with whatever was passed at nearly the same time (theory 6.4).
