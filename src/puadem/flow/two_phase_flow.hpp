@@ -35,7 +35,7 @@ enum class GasKind : std::uint8_t {
   ideal,           ///< the same; gas cut off keeps pressure times volume
 };
 
-/// How long the steps are (theory 6.5).
+/// How long the steps are (theory 6.4).
 struct TwoPhaseSteps {
   /// Volume that may change hands in a step over that of the front, the pores beside throats with gas on one side: steps
   /// aim at it, and one that exceeds twice of it is taken back [-].
@@ -52,7 +52,7 @@ struct TwoPhaseOptions {
   GasKind gas = GasKind::incompressible;
   double reference_pressure = 101325.0;  ///< absolute pressure at which pressures here are 0, for ideal gas [Pa]
   bool snap_off = false;                 ///< see `InvasionOptions::snap_off`
-  bool cooperative_filling = false;      ///< gas in many throats of a pore delays its refilling (theory 6.4)
+  bool cooperative_filling = false;      ///< gas in many throats of a pore delays its refilling; not available
   std::uint64_t seed = 1;                ///< of the weights of cooperative filling
   bool corner_films = true;              ///< wetting fluid flows through the corners of open throats
   bool touching_first = false;           ///< gas leaves a pore only once it touches its walls, S_i <= S_thr
