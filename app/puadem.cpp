@@ -12,9 +12,12 @@
 #include "puadem/base/error.hpp"
 #include "puadem/base/parallel.hpp"
 #include "puadem/build_info.hpp"
+#include "puadem/flow/cholesky_factor.hpp"
+#include "puadem/flow/multigrid.hpp"
 #include "puadem/io/case_file.hpp"
 #include "puadem/io/case_summary.hpp"
 #include "puadem/io/case_templates.hpp"
+#include "puadem/io/convert.hpp"
 #include "puadem/io/initial_state.hpp"
 #include "puadem/io/inspect.hpp"
 #include "puadem/io/manifest.hpp"
@@ -191,8 +194,8 @@ int doctor() {
   line(true, "version", version_text());
   line(true, "compiler flags", build_info::flags);
   line(true, "libraries",
-       fmt::format("CGAL {}, fmt {}.{}.{}, CLI11 {}", build_info::cgal, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                   FMT_VERSION % 100, CLI11_VERSION));
+       fmt::format("CGAL {}, CHOLMOD {}, hypre {}, fmt {}.{}.{}, CLI11 {}", build_info::cgal, cholesky_version(),
+                   multigrid_version(), FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, CLI11_VERSION));
   line(true, "processor", fmt::format("{}, {} threads", processor_name(), threads()));
   line(can_write_here(), "working folder", fs::current_path().string(),
        "it cannot be written; use --output or change to another folder");
@@ -208,6 +211,37 @@ int doctor() {
     line(false, "shipped cases", error.what());
   }
   return faults == 0 ? ok : wrong_input;
+}
+
+struct ConvertArguments {
+  std::string in, out, to, inlet = "left", merge_ratio = "0.9";
+  std::vector<std::string> periodic;
+};
+
+/// Index of a word among those allowed.
+std::size_t index_of(std::string_view flag, const std::string& word, const std::vector<std::string>& allowed) {
+  const auto found = std::find(allowed.begin(), allowed.end(), word);
+  if (found == allowed.end())
+    throw InputError(
+        fmt::format("{} \"{}\" is not known; allowed: {}{}", flag, word, joined(allowed), did_you_mean(word, allowed)));
+  return static_cast<std::size_t>(found - allowed.begin());
+}
+
+int convert_file(const ConvertArguments& arguments) {
+  ConvertOptions options;
+  if (!arguments.to.empty())
+    options.target = static_cast<ConvertOptions::Target>(1 + index_of("--to", arguments.to, {"packing", "network", "statoil"}));
+  options.inlet = static_cast<int>(index_of("--inlet", arguments.inlet, {face_names.begin(), face_names.end()}));
+  for (const std::string& axis : arguments.periodic) options.periodic[index_of("--periodic", axis, {"x", "y", "z"})] = true;
+  options.merge_ratio = std::numeric_limits<double>::infinity();
+  if (arguments.merge_ratio != "none") {
+    char* end = nullptr;
+    options.merge_ratio = std::strtod(arguments.merge_ratio.c_str(), &end);
+    if (*end != '\0' || !(options.merge_ratio > 0.0))
+      throw InputError(fmt::format("--merge-ratio \"{}\" must be a number > 0, or none", arguments.merge_ratio));
+  }
+  fmt::print("{}", convert(arguments.in, arguments.out, options));
+  return ok;
 }
 
 /// Flags of a verb and those of the program.
@@ -268,8 +302,19 @@ int dispatch(int argc, char** argv) {
   CLI::App* keys_verb = app.add_subcommand("keys", "describe the keys of a case file");
   keys_verb->add_option("word", word, "only keys whose name or help has this word");
   keys_verb->add_flag("--markdown", markdown, "as docs/case_file.md");
-  CLI::App* info_verb = app.add_subcommand("info", "describe a packing, a case or a run");
-  info_verb->add_option("file", path, "packing.csv, case.toml or run folder")->required();
+  CLI::App* info_verb = app.add_subcommand("info", "describe a packing, a network, a case or a run");
+  info_verb->add_option("file", path, "packing or network, case.toml or run folder")->required();
+  ConvertArguments conversion;
+  CLI::App* convert_verb = app.add_subcommand("convert", "write a packing or a network in another form");
+  convert_verb->add_option("in", conversion.in, "packing or network (.csv), names of Statoil's four files, or run folder")
+      ->required();
+  convert_verb->add_option("out", conversion.out, "new file: NAME.csv, or NAME for Statoil's four files")->required();
+  convert_verb->add_option("--to", conversion.to, "packing, network (a table) or statoil; default: by the name");
+  convert_verb->add_option("--inlet", conversion.inlet, "face where the flow of Statoil's network begins; default: left");
+  convert_verb->add_option("--periodic", conversion.periodic, "axes of a packing without walls, such as x,y; default: none")
+      ->delimiter(',');
+  convert_verb->add_option("--merge-ratio", conversion.merge_ratio,
+                           "of the pores of a packing, or none; default: 0.9. A run folder brings the options of its case");
   CLI::App* version_verb = app.add_subcommand("version", "print the version");
   CLI::App* doctor_verb = app.add_subcommand("doctor", "look whether all that a run needs is there");
 
@@ -294,6 +339,7 @@ int dispatch(int argc, char** argv) {
   if (run_verb->parsed()) return run_case(options);
   if (keys_verb->parsed()) fmt::print("{}", markdown ? keys_markdown() : keys_text(word));
   if (info_verb->parsed()) fmt::print("{}", inspect(path));
+  if (convert_verb->parsed()) return convert_file(conversion);
   if (version_verb->parsed()) fmt::print("{}\n", version_text());
   if (doctor_verb->parsed()) return doctor();
   return ok;

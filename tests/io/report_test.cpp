@@ -162,6 +162,33 @@ TEST(Report, SummarisesTheCaseInUnitsOfAPerson) {
 }
 
 // In a browser, where one is installed: every figure drawn, no error on the console, no request.
+/// The pores of a made-up run without their grains, after a permeability stage.
+SyntheticRun make_network_run() {
+  SyntheticRun run = make_synthetic_run(3);
+  run.c.network_file = "rock.csv";
+  run.c.stages = {PermeabilityStage{}, run.c.stages.back()};
+  run.state.particles = {};
+  PermeabilityResult r;
+  r.stage = "permeability";
+  for (int axis = 0; axis < 3; ++axis) r.permeability.tensor[to_size(axis)][axis] = 2e-10;
+  r.permeability.measured = {true, true, true};
+  r.inlet = 5;
+  r.pressure_drop = 1000.0;
+  r.profile = {{1e-3, 320.0, 333.0, 9}, {2e-3, 680.0, 667.0, 9}};
+  run.state.permeability = {r};
+  return run;
+}
+
+TEST(Report, OfANetworkFromAFile) {
+  const json data = data_of(html_of(make_network_run()));
+  EXPECT_EQ(data["case"][0], json::parse(R"({"title": "Network", "rows": [["File", "rock.csv"]]})"));
+  EXPECT_EQ(data["facts"].size(), 1U);
+  const json& flow = data["permeability"].at(0);
+  EXPECT_EQ(flow["axis"], "z");
+  EXPECT_EQ(flow["profile"]["pressure"], json::parse("[320.0, 680.0]"));
+  EXPECT_EQ(flow["rows"][0], json::parse(R"(["Mean permeability", "2e-10 m²"])"));
+}
+
 TEST(Report, OpensInABrowser) {
   if (std::system("command -v chromium >/dev/null 2>&1") != 0) GTEST_SKIP() << "no chromium here";
   const TemporaryFolder scratch;
@@ -179,6 +206,7 @@ TEST(Report, OpensInABrowser) {
       loaded.state.history.push_back(row);
     }
   std::ofstream(scratch.path / "loading.html") << html_of(loaded);
+  std::ofstream(scratch.path / "network.html") << html_of(make_network_run());
   std::ofstream(scratch.path / "broken.html") << "<html data-rendered=\"yes\"><script>console.error('x')</script></html>";
   const std::string tool = (std::filesystem::path(__FILE__).parent_path() / "../../tools/check_report").string();
   const auto check = [&](const char* page, const char* more = "") {
@@ -187,6 +215,7 @@ TEST(Report, OpensInABrowser) {
   EXPECT_EQ(check("full.html"), 0);
   EXPECT_EQ(check("packing.html"), 0);
   EXPECT_EQ(check("loading.html"), 0);
+  EXPECT_EQ(check("network.html"), 0);
   EXPECT_NE(check("broken.html", " 2>/dev/null"), 0);
 }
 

@@ -92,7 +92,7 @@ function build() {
   }
   const judged = [checksTable(), ledgerTable()].filter(Boolean);
   if (judged.length > 0) page.append(section("Checks and balance", grid("tables", judged)));
-  if (data.facts.length > 0) page.append(section(data.facts.length > 1 ? "Packing and pore network" : "Packing", grid("pair", data.facts.map(factTable))));
+  if (data.facts.length > 0) page.append(section(data.facts.length > 1 ? "Packing and pore network" : data.facts[0].title, grid("pair", data.facts.map(factTable))));
   if (data.scalars.length > 0) page.append(element("details", {}, element("summary", {}, `All ${data.scalars.length} results by name`), grid("columns", scalarList())));
   page.append(section("Case", grid("triple", data.case.map(factTable)), source("Case file", data.case_text), source("Resolved case, SI units", data.resolved_text)));
   page.append(footer());

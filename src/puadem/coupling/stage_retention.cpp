@@ -24,7 +24,6 @@ double counted_sum(const InvasionState& invasion, const std::vector<double>& vol
 
 void describe_network(const PoreNetwork& network, const InvasionState& invasion, RunResults& results) {
   auto& s = results.scalars;
-  s["tetrahedra"] = network.triangulation.cells();
   s["pores"] = network.pores();
   s["throats"] = network.throats();
   s["throat_windows"] = network.windows;
@@ -32,6 +31,8 @@ void describe_network(const PoreNetwork& network, const InvasionState& invasion,
       network.pores() - static_cast<int>(std::ranges::count_if(std::views::iota(0, network.pores()),
                                                                [&](int p) { return !invasion.is_reservoir(p); }));
   s["void_counted_m3"] = invasion.void_volume;
+  if (network.triangulation.cells() == 0) return;  // of a file: it does not tell how throats are entered
+  s["tetrahedra"] = network.triangulation.cells();
   for (const auto& [name, kind] : {std::pair{"throats_meniscus", EntryKind::meniscus},
                                    {"throats_wide_edge", EntryKind::wide_edge},
                                    {"throats_half_gap", EntryKind::half_gap},

@@ -3,6 +3,7 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <array>
 
 #include "puadem/base/error.hpp"
 #include "puadem/flow/one_blas_thread.hpp"
@@ -85,5 +86,11 @@ void CholeskyFactor::solve(std::span<const double> b, std::span<double> x) {
 }
 
 double CholeskyFactor::bytes() const { return 8.0 * parts_->common.lnz; }
+
+std::string cholesky_version() {
+  std::array<int, 3> v{};
+  cholmod_l_version(v.data());
+  return fmt::format("{}.{}.{}", v[0], v[1], v[2]);
+}
 
 }  // namespace puadem

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "puadem/flow/network_matrix.hpp"
 
@@ -22,5 +23,8 @@ class CholeskyFactor {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// Version of CHOLMOD in use.
+std::string cholesky_version();
 
 }  // namespace puadem

@@ -142,4 +142,6 @@ void Multigrid::apply(std::span<const double> b, std::span<double> x) {
   HYPRE_IJVectorGetValues(parts_->result, n, nullptr, x.data());
 }
 
+std::string multigrid_version() { return HYPRE_RELEASE_VERSION; }
+
 }  // namespace puadem

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "puadem/flow/network_matrix.hpp"
 
@@ -21,5 +22,8 @@ class Multigrid {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// Version of hypre in use.
+std::string multigrid_version();
 
 }  // namespace puadem

@@ -68,6 +68,10 @@ void check_grading(const TomlValue& tree, const Case& c, Problems& problems) {
 
 void check_grains(const TomlValue& tree, const Case& c, Problems& problems) {
   const TomlValue* grains = tree.find("grains");
+  if (grains == nullptr && tree.find("network") == nullptr)
+    return problems.error(tree.place,
+                          "missing key grains: where the grains come from; write [grains] with count and grading, or file; or "
+                          "[network] with the file of a network");
   if (grains == nullptr || grains->kind != TomlValue::Kind::table) return;
   if (c.grains.file) {
     for (const std::string_view key : {"count", "grading"})
@@ -322,10 +326,14 @@ void check_overlays(const TomlValue& tree, const Case& c, Problems& problems) {
 
 void check_case(const TomlValue& tree, Case& c, Problems& problems) {
   problems.key.clear();
-  check_domain(tree, c, problems);
-  check_grains(tree, c, problems);
-  check_pores(tree, c, problems);
-  check_materials(tree, c, problems);
+  if (c.network_file) {
+    check_network_case(tree, c, problems);
+  } else {
+    check_domain(tree, c, problems);
+    check_grains(tree, c, problems);
+    check_pores(tree, c, problems);
+    check_materials(tree, c, problems);
+  }
   check_stages(tree, c, problems);
   check_overlays(tree, c, problems);
   // One angle for the network and the fluids.

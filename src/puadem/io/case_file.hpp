@@ -41,6 +41,9 @@ std::string keys_text(const std::string& word);
 /// docs/case_file.md.
 std::string keys_markdown();
 
+/// The same for a case with a network in place of grains.
+void check_network_case(const TomlValue& tree, const Case& c, Problems& problems);
+
 /// Checks that concern several keys: `tree` gives the places. Called by `read_case`.
 void check_case(const TomlValue& tree, Case& c, Problems& problems);
 

@@ -17,6 +17,15 @@ const Section<ContactOptions>& contact_section();
 /// The table [pores].
 const Section<PoreOptions>& pores_section();
 
+/// The table [network], in place of grains.
+Field<Case> network_field();
+
+/// A table that is of no meaning, and not written, where the case has a network in place of grains.
+Field<Case> only_with_grains(Field<Case> field);
+
+/// The table [pores]; beside a network from a file only the bounds of conductances.
+Field<Case> pores_field();
+
 /// The list [[stage]].
 Field<Case> stages_field();
 

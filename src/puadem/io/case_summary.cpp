@@ -9,6 +9,7 @@
 #include "puadem/geometry/domain.hpp"
 #include "puadem/io/case_summary_basis.hpp"
 #include "puadem/io/initial_state.hpp"
+#include "puadem/io/network_file.hpp"
 #include "puadem/io/text.hpp"
 #include "puadem/io/units.hpp"
 
@@ -114,6 +115,24 @@ void describe_fluids(const Case& c, const SummaryBasis& basis, CaseSummary& summ
     }
 }
 
+CaseSummary summarise_network_case(const Case& c) {
+  CaseSummary summary;
+  const State state = initial_state(c, summary.warnings);
+  const Vec3 size = state.domain.size();
+  add_line(summary, "case", c.title);
+  add_line(
+      summary, "network",
+      fmt::format("{} pores, {} throats, from {}", state.network.pores(), state.network.throats(), c.network_file->string()));
+  add_line(summary, "box",
+           fmt::format("{} x {} x {}; pores at the faces {}", show(size.x, "m", 3), show(size.y, "m", 3), show(size.z, "m", 3),
+                       faces_with_pores(state.network)));
+  SummaryBasis basis;
+  basis.grains = state.network.pores() / 4;  // of a packing with as many pores
+  basis.box = size;
+  describe_stages(c, basis, summary);
+  return summary;
+}
+
 }  // namespace
 
 void add_line(CaseSummary& summary, std::string_view heading, const std::string& text) {
@@ -121,6 +140,7 @@ void add_line(CaseSummary& summary, std::string_view heading, const std::string&
 }
 
 CaseSummary summarise_case(const Case& c) {
+  if (c.network_file) return summarise_network_case(c);
   CaseSummary summary;
   const SummaryBasis basis = basis_of(c, summary);
   add_line(summary, "case", fmt::format("{} (seed {})", c.title, c.seed));

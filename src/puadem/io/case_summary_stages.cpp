@@ -188,11 +188,13 @@ void describe(const S& stage, Walk& w) {
 
 void describe_stages(const Case& c, const SummaryBasis& basis, CaseSummary& summary) {
   Walk w{c, basis, summary, {}};
-  const Material& material = c.materials[to_size(fastest_material(c))];
-  w.scale.diameter = 2.0 * basis.sizes.mean_radius;
-  w.scale.density = material.density;
-  w.scale.youngs_modulus = material.youngs_modulus;
-  w.scale.size = basis.box;
+  if (!c.network_file) {
+    const Material& material = c.materials[to_size(fastest_material(c))];
+    w.scale.diameter = 2.0 * basis.sizes.mean_radius;
+    w.scale.density = material.density;
+    w.scale.youngs_modulus = material.youngs_modulus;
+    w.scale.size = basis.box;
+  }
   for (const Stage& stage : c.stages) {
     ++w.number;
     std::visit([&](const auto& s) { describe(s, w); }, stage);

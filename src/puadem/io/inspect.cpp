@@ -8,6 +8,7 @@
 #include "puadem/io/case_file.hpp"
 #include "puadem/io/case_summary.hpp"
 #include "puadem/io/grading_statistics.hpp"
+#include "puadem/io/network_file.hpp"
 #include "puadem/io/packing_file.hpp"
 #include "puadem/io/text_file.hpp"
 #include "puadem/io/units.hpp"
@@ -25,6 +26,24 @@ std::string inspect_packing(const std::filesystem::path& path) {
       "packing {}\ngrains  {}\nbox     {} x {} x {}\nradius  {} to {}; mean {}, Sauter {}\nporosity of the box {:.4f}\n",
       path.string(), file.radius.size(), show(size.x, "m"), show(size.y, "m"), show(size.z, "m"), show(s.smallest, "m"),
       show(s.largest, "m"), show(s.mean_radius, "m"), show(s.sauter_radius, "m"), 1.0 - solid / file.box.volume());
+  for (const std::string& warning : file.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
+std::string inspect_network(const std::filesystem::path& path) {
+  const NetworkFile file = read_network(path);
+  const PoreNetwork& n = file.network;
+  const Vec3 size = file.box.size();
+  double space = 0.0;
+  for (int p = 0; p < n.pores() - file.reservoir_pores; ++p) space += n.pore_volume[to_size(p)];
+  const auto closed = std::ranges::count(n.throat_conductance, 0.0);
+  std::string text = fmt::format(
+      "network {}\npores   {}{}\nthroats {}, {} closed\nbox     {} x {} x {}\nfaces   {}\nporosity of the box {:.4f}\ncontact "
+      "angle of "
+      "the entry radii {}\n",
+      path.string(), n.pores(), file.reservoir_pores > 0 ? fmt::format(", {} of them reservoirs", file.reservoir_pores) : "",
+      n.throats(), closed, show(size.x, "m"), show(size.y, "m"), show(size.z, "m"), faces_with_pores(n),
+      space / file.box.volume(), show(file.contact_angle, "rad"));
   for (const std::string& warning : file.warnings) text += "warning: " + warning + "\n";
   return text;
 }
@@ -60,11 +79,12 @@ std::string inspect(const std::filesystem::path& path) {
             path.string());
     return inspect_run(path);
   }
+  if (is_network(path)) return inspect_network(path);
   if (path.extension() == ".toml") return inspect_case(path);
   if (path.extension() == ".csv") return inspect_packing(path);
   const std::string text = read_text_file(path);
-  require(text.find("# box") != std::string::npos, "{}: neither a case file (.toml), a packing (.csv) nor a run folder",
-          path.string());
+  require(text.find("# box") != std::string::npos,
+          "{}: neither a case file (.toml), a packing or network (.csv) nor a run folder", path.string());
   return inspect_packing(path);
 }
 

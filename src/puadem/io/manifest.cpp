@@ -9,6 +9,8 @@
 
 #include "puadem/base/parallel.hpp"
 #include "puadem/build_info.hpp"
+#include "puadem/flow/cholesky_factor.hpp"
+#include "puadem/flow/multigrid.hpp"
 #include "puadem/io/state_hash.hpp"
 
 namespace puadem {
@@ -23,6 +25,8 @@ std::string version_of(int packed, int major_step, int minor_step) {
 json libraries() {
   return {{"fmt", version_of(FMT_VERSION, 10000, 100)},
           {"CGAL", build_info::cgal},
+          {"CHOLMOD", cholesky_version()},
+          {"hypre", multigrid_version()},
           {"nlohmann-json",
            fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 }

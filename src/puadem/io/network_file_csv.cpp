@@ -29,8 +29,11 @@ const std::vector<std::string>& known_columns() {
                                   "throat.cross_sectional_area",
                                   "throat.conductance",
                                   "throat.entry_radius",
-                                  "throat.snap_off_radius"};
-    for (const char* base : {"pore.coords", "throat.shift", "param.box", "param.periodic"})
+                                  "throat.snap_off_radius",
+                                  "throat.facet_area",
+                                  "throat.at_wall",
+                                  "param.contact_angle"};
+    for (const char* base : {"pore.coords", "throat.shift", "throat.normal", "param.box", "param.periodic"})
       for (int axis = 0; axis < 3; ++axis) list.push_back(fmt::format("{}[{}]", base, axis));
     for (const std::string_view face : face_names) list.push_back(fmt::format("pore.{}", face));
     return list;
@@ -180,6 +183,13 @@ void read_throats(const Columns& table, PoreNetwork& network) {
            [](double r, double length) { return std::numbers::pi * r * r * r * r / (8.0 * length); });
   optional("throat.entry_radius", network.throat_entry_radius, [](double r, double) { return 0.5 * r; });
   optional("throat.snap_off_radius", network.throat_snap_off_radius, [](double r, double) { return r; });
+  if (table.has("throat.facet_area")) network.throat_facet_area = table.get("throat.facet_area", throats);
+  if (table.has("throat.at_wall"))
+    for (const double flag : table.get("throat.at_wall", throats)) network.throat_at_wall.push_back(flag != 0.0 ? 1 : 0);
+  if (!table.has("throat.normal[0]")) return;
+  network.throat_normal = get_vectors(table, "throat.normal", throats);
+  for (std::size_t t = 0; t < throats; ++t)  // from the pore named first to the second
+    if (to[t] < from[t]) network.throat_normal[t] = -network.throat_normal[t];
 }
 
 Domain read_box(const Columns& table, PoreNetwork& network) {
@@ -216,6 +226,8 @@ NetworkFile read_csv_network(const std::filesystem::path& path) {
   read_pores(table, network);
   read_throats(table, network);
   file.box = read_box(table, network);
+  file.knows_walls = table.has("throat.at_wall");
+  if (table.has("param.contact_angle")) file.contact_angle = table.get("param.contact_angle", 1).front();
   if (table.has("pore.faces")) {
     network.pore_faces = get_whole(table, "pore.faces", to_size(network.pores()), 0, 1 << 20);
   } else {  // the throats of a pore, at least those of a tetrahedron
@@ -228,16 +240,17 @@ NetworkFile read_csv_network(const std::filesystem::path& path) {
   return file;
 }
 
-void write_csv_network(const std::filesystem::path& path, const PoreNetwork& network, const Domain& box) {
+void write_csv_network(const std::filesystem::path& path, const PoreNetwork& network, const Domain& box, double contact_angle) {
   const Vec3 size = box.size();
   std::vector<std::string> headings;
   for (const char* base : {"pore.coords", "param.box", "param.periodic"})
     for (int axis = 0; axis < 3; ++axis) headings.push_back(indexed(base, axis));
-  headings.insert(headings.end(), {"pore.volume", "pore.diameter", "pore.faces"});
+  headings.insert(headings.end(), {"param.contact_angle", "pore.volume", "pore.diameter", "pore.faces"});
   for (const std::string_view face : face_names) headings.push_back(fmt::format("pore.{}", face));
   headings.insert(headings.end(), {"throat.conns[0]", "throat.conns[1]", "throat.shift[0]", "throat.shift[1]", "throat.shift[2]",
                                    "throat.diameter", "throat.length", "throat.cross_sectional_area", "throat.conductance",
-                                   "throat.entry_radius", "throat.snap_off_radius"});
+                                   "throat.entry_radius", "throat.snap_off_radius", "throat.facet_area", "throat.normal[0]",
+                                   "throat.normal[1]", "throat.normal[2]", "throat.at_wall"});
   std::string out = joined(headings, ",") + "\n";
   for (std::size_t row = 0; row < std::max(network.pore_volume.size(), network.throat_pores.size()); ++row) {
     std::string line;
@@ -246,6 +259,7 @@ void write_csv_network(const std::filesystem::path& path, const PoreNetwork& net
     for (int axis = 0; axis < 3; ++axis) put(is_pore, is_pore ? network.pore_centre[row][axis] - box.lower[axis] : 0.0);
     for (int axis = 0; axis < 3; ++axis) put(row == 0, size[axis]);
     for (int axis = 0; axis < 3; ++axis) put(row == 0, int{box.periodic[to_size(axis)]});
+    put(row == 0, contact_angle);
     put(is_pore, is_pore ? network.pore_volume[row] : 0.0);
     put(is_pore, is_pore ? 2.0 * network.pore_radius[row] : 0.0);
     put(is_pore, is_pore ? network.pore_faces[row] : 0);
@@ -255,8 +269,10 @@ void write_csv_network(const std::filesystem::path& path, const PoreNetwork& net
       put(is_throat, is_throat && !network.throat_shift.empty() ? int{network.throat_shift[row][axis]} : 0);
     put(is_throat, is_throat ? 2.0 * network.throat_radius[row] : 0.0);
     for (const auto* values : {&network.throat_length, &network.throat_area, &network.throat_conductance,
-                               &network.throat_entry_radius, &network.throat_snap_off_radius})
+                               &network.throat_entry_radius, &network.throat_snap_off_radius, &network.throat_facet_area})
       put(is_throat, is_throat ? (*values)[row] : 0.0);
+    for (int axis = 0; axis < 3; ++axis) put(is_throat, is_throat ? network.throat_normal[row][axis] : 0.0);
+    put(is_throat, is_throat && network.throat_at_wall[row] ? "True" : "False");
     line.back() = '\n';
     out += line;
   }

@@ -37,12 +37,13 @@ void complete_network(PoreNetwork& network, std::string_view name) {
   if (network.throat_shift.empty()) network.throat_shift.assign(throats, {});
   if (network.throat_facet_area.empty()) network.throat_facet_area = network.throat_area;
   network.throat_entry_kind.resize(throats);
+  const bool has_normals = !network.throat_normal.empty();
   network.throat_normal.resize(throats);
-  network.throat_at_wall.assign(throats, 0);
+  if (network.throat_at_wall.empty()) network.throat_at_wall.assign(throats, 0);
   for (std::size_t t = 0; t < throats; ++t) {
     const auto [i, j] = network.throat_pores[t];
     const Vec3 way = network.pore_centre[to_size(j)] - network.pore_centre[to_size(i)];
-    network.throat_normal[t] = squared_norm(way) > 0.0 ? normalized(way) : Vec3{1, 0, 0};
+    if (!has_normals) network.throat_normal[t] = squared_norm(way) > 0.0 ? normalized(way) : Vec3{1, 0, 0};
     network.throat_entry_kind[t] = network.throat_entry_radius[t] > 0.0 ? EntryKind::inscribed : EntryKind::closed;
   }
   network.pore_throats = throats_of_pores(network.throat_pores, network.pores());

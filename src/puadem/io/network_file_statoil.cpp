@@ -163,6 +163,7 @@ NetworkFile read_statoil_network(const std::filesystem::path& prefix) {
     file.warnings.push_back(fmt::format("{}: {} of {} pores reach neither inlet nor outlet and are left out", prefix.string(),
                                         dropped, bodies.size()));
   complete_network(file.network, prefix.string());
+  file.reservoir_pores = 2;
   return file;
 }
 

@@ -107,7 +107,8 @@ void record_equilibrium(ResultsFolder& folder, const Case& c, const State& state
   write_distributions(folder, state);
   if (c.output.fields && folder.equilibria % std::max(c.output.fields_every, 1) == 0) {
     const double time = folder.equilibria;
-    if (folder.grain_frames.empty()) write_frame(folder, folder.grain_frames, "grains", time, grain_fields(state));
+    if (folder.grain_frames.empty() && state.particles.size() > 0)
+      write_frame(folder, folder.grain_frames, "grains", time, grain_fields(state));
     VtkPolyData pores = pore_fields(state);
     VtkPolyData throats = throat_fields(state, c.fluids);
     add_equilibrium(pores, row);

@@ -61,6 +61,12 @@ json grain_rows(const Case& c) {
   return rows;
 }
 
+json network_rows(const Case& c) {
+  json rows = json::array();
+  rows.push_back({"File", c.network_file->filename().string()});
+  return rows;
+}
+
 /// Options of the network; those that few change are named where they are not the default.
 void add_network_rows(const PoreOptions& o, json& rows) {
   if (o.merge_criterion == MergeCriterion::insphere_overlap)
@@ -197,7 +203,8 @@ json stage_rows(const RetentionStage& s) {
 
 json case_json(const Case& c) {
   json tables = json::array();
-  tables.push_back({{"title", "Grains"}, {"rows", grain_rows(c)}});
+  tables.push_back(
+      {{"title", c.network_file ? "Network" : "Grains"}, {"rows", c.network_file ? network_rows(c) : grain_rows(c)}});
   if (std::ranges::any_of(c.stages, puts_fluid)) tables.push_back({{"title", "Fluids and pores"}, {"rows", fluid_rows(c)}});
   int number = 0;
   for (const Stage& stage : c.stages) {

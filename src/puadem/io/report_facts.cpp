@@ -83,7 +83,8 @@ std::string entry_kinds(const PoreNetwork& n) {
 
 json network_rows(const State& state) {
   const PoreNetwork& n = state.network;
-  json rows = json::array({{"Pore units", count(n.pores())}, {"Throats", count(n.throats())}});
+  json rows =
+      json::array({{state.particles.size() > 0 ? "Pore units" : "Pores", count(n.pores())}, {"Throats", count(n.throats())}});
   if (n.windows > 0) rows.push_back({"Windows of several facets", count(n.windows)});
   if (n.triangulation.cells() > 0)
     rows.push_back({"Tetrahedra", fmt::format("{}, {:.2f} per pore unit", count(n.triangulation.cells()),
@@ -91,10 +92,11 @@ json network_rows(const State& state) {
   rows.push_back({"Throats per pore unit", fmt::format("{:.2f}", 2.0 * n.throats() / n.pores())});
   rows.push_back({"Median pore radius R_i", in_print(median(n.pore_radius), "m")});
   rows.push_back({"Median throat radius R_ij", in_print(median(n.throat_radius), "m")});
+  if (n.triangulation.cells() == 0) rows.push_back({"Box", lengths(state.domain.size())});
   const auto at_wall = std::ranges::count(n.throat_at_wall, std::uint8_t{1});
   if (!n.throat_at_wall.empty() && n.throats() > 0)
     rows.push_back({"Throats along walls", percent(static_cast<double>(at_wall) / n.throats())});
-  if (!n.throat_entry_kind.empty()) rows.push_back({"Entry pressure decided by", entry_kinds(n)});
+  if (n.triangulation.cells() > 0) rows.push_back({"Entry pressure decided by", entry_kinds(n)});
   return rows;
 }
 
@@ -172,13 +174,14 @@ json highlights_json(const State& state, const RunResults* results) {
                   reference ? fmt::format("{:.2f} of Kozeny–Carman", r.permeability.mean() / *reference) : "mean of its axes"));
   }
   if (state.network.pores() > 0)
-    top.push_back(highlight("Pore units", count(state.network.pores()), count(state.network.throats()) + " throats"));
+    top.push_back(highlight(state.particles.size() > 0 ? "Pore units" : "Pores", count(state.network.pores()),
+                            count(state.network.throats()) + " throats"));
   std::vector<RetentionRow> drainage;
   std::ranges::copy_if(state.retention, std::back_inserter(drainage), [](const auto& r) { return r.branch == "drainage-1"; });
   if (const auto half = capillary_pressure_at(drainage, 0.5)) {
     const double star = drainage.back().pc_star / drainage.back().capillary_pressure * *half;
-    top.push_back(
-        highlight("p_c at S = 0.5, drainage", count(std::lround(*half)) + " Pa", fmt::format("p_c⟨r⟩/γ = {:.2f}", star)));
+    top.push_back(highlight("p_c at S = 0.5, drainage", count(std::lround(*half)) + " Pa",
+                            star > 0.0 ? fmt::format("p_c⟨r⟩/γ = {:.2f}", star) : "of a network from a file"));
   }
   const auto last = std::find_if(state.retention.rbegin(), state.retention.rend(),
                                  [](const auto& row) { return row.branch == "imbibition-1"; });

@@ -18,6 +18,7 @@ namespace {
 
 std::string retention_table(const State& state) {
   if (state.retention.empty()) return {};
+  const bool has_grains = state.particles.size() > 0;  // without them there is no p_c*
   std::string text = fmt::format("{:<14} {:>10} {:>8} {:>10} {:>14} {:>12}\n", "branch", "p_c [Pa]", "p_c*", "saturation",
                                  "trapped water", "trapped air");
   // A long path is shown by an even choice of its rows and all its turning points.
@@ -27,8 +28,9 @@ std::string retention_table(const State& state) {
     const RetentionRow& row = state.retention[to_size(i)];
     const bool turns = i + 1 == rows || state.retention[to_size(i + 1)].branch != row.branch;
     if (i % stride != 0 && !turns) continue;
-    text += fmt::format("{:<14} {:>10.1f} {:>8.3f} {:>10.4f} {:>14.4f} {:>12.4f}\n", row.branch, row.capillary_pressure,
-                        row.pc_star, row.saturation, row.trapped_wetting, row.trapped_nonwetting);
+    text += fmt::format("{:<14} {:>10.1f} {:>8} {:>10.4f} {:>14.4f} {:>12.4f}\n", row.branch, row.capillary_pressure,
+                        has_grains ? fmt::format("{:.3f}", row.pc_star) : "-", row.saturation, row.trapped_wetting,
+                        row.trapped_nonwetting);
   }
   return text;
 }
