@@ -25,7 +25,7 @@ namespace {
 /// A packing file in a folder of its own, between six walls.
 struct Study {
   TemporaryFolder folder;
-  Spheres spheres = random_spheres(300, 1.4, {6e-3, 6e-3, 6e-3}, {false, false, false}, 11, 0.45);
+  Spheres spheres = random_spheres(300, 1.4, {6e-3, 6e-3, 6e-3}, {false, false, false}, 11, 0.33);
 
   Study() { write_packing(at("packing.csv"), spheres.centre, spheres.radius, spheres.domain); }
   std::filesystem::path at(const char* name) const { return folder.path / name; }
