@@ -269,6 +269,24 @@ TEST(TwoPhaseChain, ClosingPoresPressTheirFluidOut) {
   EXPECT_NEAR(-in / pressed, 1.0, 1e-8);
 }
 
+TEST(TwoPhaseErrors, AWithdrawalThatHasLostItsWaterSaysSo) {
+  const PoreNetwork network = upright_chain({1.0, 1.0, 5.0}, 1e-3, 1.0);
+  FlowBoundary outlet = water_boundary(network, Schedule::constant(-1.0));
+  outlet.kind = FlowBoundary::Kind::flow_rate;
+  TwoPhaseOptions options;
+  options.steps.step_limit = 2000;
+  const TwoPhaseModel model =
+      make_two_phase_model(network, unit_fluids(), options, {gas_boundary(network), outlet}, usual_throat_films(network));
+  TwoPhaseState state = start_two_phase(network, model);
+  try {
+    advance_two_phase(network, model, 10.0, {}, state);
+    ADD_FAILURE() << "no error";
+  } catch (const NumericalError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("stands still"));
+  }
+  EXPECT_LT(state.wetting_volume[2], 0.05) << "the pore beside the outlet has given what it had";
+}
+
 template <class Action>
 std::string message_of(const Action& action) {
   try {
@@ -299,6 +317,9 @@ TEST(TwoPhaseErrors, ImpossibleSetUpsAreRefusedWithTheReason) {
   FlowBoundary twice = water;
   twice.name = "again";
   EXPECT_THAT(refuse(unit_fluids(), {}, {gas, water, twice}), HasSubstr("\"bottom\" and \"again\""));
+  FlowBoundary rate = water;
+  rate.kind = FlowBoundary::Kind::flow_rate;
+  EXPECT_THAT(refuse(unit_fluids(), {}, {rate}), HasSubstr("give the pressure at one of them"));
   FlowBoundary nowhere = water;
   nowhere.pores.clear();
   EXPECT_THAT(refuse(unit_fluids(), {}, {gas, nowhere}), HasSubstr("has no pore"));

@@ -24,6 +24,9 @@ constexpr double longest_rest = 1e7;
 /// fluid is cut off, where nothing else can move.
 constexpr int idle_events = 3;
 
+/// Share of a given flow rate that may go missing: more means that its boundary is cut off.
+constexpr double lost_rate = 1e-6;
+
 bool gives_pressure(const FlowBoundary& boundary) { return boundary.kind == FlowBoundary::Kind::pressure; }
 
 /// Books what crossed the boundaries and takes the trial's volumes and pressures over.
@@ -46,6 +49,10 @@ void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step,
       for (int i = 0; i < network.pores(); ++i)
         if (model.is_counted(i)) in.add(gas_gain(i));
     const double volume_in = in.value();
+    ensure(gives_pressure(boundary) ||
+               std::abs(volume_in - step * values[to_size(b)]) <= lost_rate * step * std::abs(values[to_size(b)]),
+           "boundary \"{}\" cannot pass {:.4g} m3/s at t = {:.6g} s (step {}): only {:.4g} m3/s of its fluid can be reached",
+           boundary.name, values[to_size(b)], state.time, state.steps, volume_in / step);
     state.boundary_inflow[to_size(b)][is_gas ? 1 : 0] += volume_in;
     state.ledger.book(is_gas ? 0.0 : volume_in, is_gas ? volume_in : 0.0);
     const int first = boundary.pores.front();

@@ -133,6 +133,8 @@ TwoPhaseModel make_two_phase_model(const PoreNetwork& network, const Fluids& flu
   model.pore_boundary.assign(to_size(network.pores()), -1);
   model.is_reservoir.assign(to_size(network.pores()), 0);
   for (int b = 0; b < size_of(model.boundaries); ++b) set_boundary(network, b, model);
+  require(std::ranges::any_of(model.boundaries, [](const FlowBoundary& b) { return b.kind == Kind::pressure; }),
+          "all boundaries give flow rates, and the fluids do not yield: give the pressure at one of them");
   set_sizes(network, model);
   model.solver = make_two_phase_solver(network, model);
   return model;

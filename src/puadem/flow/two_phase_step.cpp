@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "puadem/base/error.hpp"
 #include "puadem/flow/two_phase_newton.hpp"
 
 namespace puadem {
@@ -59,12 +60,13 @@ double move_to_law(Newton& n, int i) {
   double& water = n.trial.wetting_volume[p];
   if (overfills(n, i)) return close(n, i, Filling::full);
   if (predicted <= 0.0 && !n.model.thresholds.keeps_water[p] && water < least_left * volume) return close(n, i, Filling::emptied);
+  const double least = least_left * water;
   // Where the law is steep, the pressure knows the saturation better than the volume does.
   if (-local_slope(n.model, i, water / volume) > steep * scale && now > local_pressure(n.model, i, 1.0)) {
-    water = volume * local_saturation(n.model, i, now);
-    return std::abs(predicted - water) / volume;
+    const double by_law = volume * local_saturation(n.model, i, now);
+    water = std::max(by_law, least);
+    return by_law < least ? not_yet : std::abs(predicted - water) / volume;
   }
-  const double least = least_left * water;
   water = std::clamp(predicted, least, volume);
   if (predicted < least) return not_yet;
   const double miss = std::abs(now - local_pressure(n.model, i, water / volume)) / scale;
@@ -95,26 +97,36 @@ double move_all(Newton& n) {
   return n.trial.mismatch;
 }
 
-/// Solves the equations for the pores that hold gas so far. Volumes then go by what flowed, so that nothing is lost
-/// between pores.
+/// Solves the equations for the pores that hold gas so far.
 bool iterate(Newton& n, double tolerance) {
   bool converged = false;
   for (int k = 0; k < n.model.options.steps.newton_limit && !converged; ++k) {
     for (int i = 0; i < n.network.pores(); ++i)
       if (n.has_capacitor(i)) set_capacitor(n, i);
-    solve_newton(n);
+    try {
+      solve_newton(n);
+    } catch (const NumericalError&) {
+      break;  // a rate that the fluid within reach cannot meet has no solution: the step fails
+    }
     const double miss = move_all(n);
     if (miss == never) break;
     converged = miss <= tolerance && n.gas_misfit <= gas_accuracy;
   }
+  return converged;
+}
+
+/// Volumes by what flowed, so that nothing is lost between pores. False where a pore would have given more than it had.
+bool go_by_flows(Newton& n) {
   net_outflow(n.network, n.throat.wetting, n.trial.wetting, n.trial.wetting_outflow);
   net_outflow(n.network, n.throat.nonwetting, n.trial.nonwetting, n.trial.nonwetting_outflow);
+  bool has_enough = true;
   for (int i = 0; i < n.network.pores(); ++i) {
     const std::size_t p = to_size(i);
     if (n.model.is_counted(i) && n.trial.filling[p] != Filling::empty)
       n.trial.wetting_volume[p] = n.state.wetting_volume[p] - n.step * n.trial.wetting_outflow[p];
+    if (n.trial.filling[p] == Filling::mixed && n.trial.wetting_volume[p] <= 0.0) has_enough = false;
   }
-  return converged;
+  return has_enough;
 }
 
 StepChange change_of(const Newton& n) {
@@ -198,6 +210,7 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
   bool exact = false;
   for (;;) {
     trial.converged = iterate(n, exact ? tolerance : std::max(tolerance, rough));
+    if (exact) trial.converged = go_by_flows(n) && trial.converged;
     trial.change = change_of(n);
     if (!trial.converged || trial.change.front > most_change) return trial;
     const std::vector<PoreInvasion> invasions = next_invasions(network, model, state, trial);
