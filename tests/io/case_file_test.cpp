@@ -160,6 +160,28 @@ bool same(const RetentionStage& a, const RetentionStage& b) {
   const auto& [path, step, invasion] = a;
   return path == b.path && step == b.step && same(invasion, b.invasion);
 }
+bool same(const TwoPhaseSteps& a, const TwoPhaseSteps& b) {
+  const auto& [front_change, growth, longest, newton_limit, tolerance, step_limit] = a;
+  return front_change == b.front_change && growth == b.growth && longest == b.longest && newton_limit == b.newton_limit &&
+         tolerance == b.tolerance && step_limit == b.step_limit;
+}
+bool same(const TwoPhaseOptions& a, const TwoPhaseOptions& b) {
+  const auto& [scheme, gas, reference_pressure, snap_off, cooperative, seed, films, touching_first, wall_throats, gravity, law,
+               steps, solver] = a;
+  return scheme == b.scheme && gas == b.gas && reference_pressure == b.reference_pressure && snap_off == b.snap_off &&
+         cooperative == b.cooperative_filling && seed == b.seed && films == b.corner_films &&
+         touching_first == b.touching_first && wall_throats == b.wall_throats && gravity == b.gravity &&
+         law.index() == b.retention_law.index() && same(steps, b.steps) && solver.tolerance == b.solver.tolerance;
+}
+bool same(const TwoPhaseStage& a, const TwoPhaseStage& b) {
+  const auto& [air, disc_radius, water, initial_air_fraction, air_pressure, path, water_pressure, withdrawal, capillary_number,
+               step, hold, water_times, duration, until_saturation, until_breakthrough, record_jump, options] = a;
+  return air == b.air && disc_radius == b.disc_radius && water == b.water && initial_air_fraction == b.initial_air_fraction &&
+         air_pressure == b.air_pressure && path == b.path && water_pressure == b.water_pressure && withdrawal == b.withdrawal &&
+         capillary_number == b.capillary_number && step == b.step && hold == b.hold && water_times == b.water_times &&
+         duration == b.duration && until_saturation == b.until_saturation && until_breakthrough == b.until_breakthrough &&
+         record_jump == b.record_jump && same(options, b.options);
+}
 bool same(const IsotropicStage& a, const IsotropicStage& b) {
   const auto& [stress, unbalanced, damping] = a;
   return stress == b.stress && unbalanced == b.unbalanced && damping == b.damping;
@@ -215,7 +237,7 @@ bool same(const Case& a, const Case& b) {
   const auto& [size, shape, periodic] = domain;
   const auto& [file, count, grading, material, mixture, cloud, clump_size] = grains;
   const auto& [by, classes, table, lognormal] = grading;
-  const auto& [fields, fields_every, fields_count, history_rows] = output;
+  const auto& [fields, fields_every, fields_count, history_rows, fields_at] = output;
   const auto& [gravity, safety] = motion;
   return title == b.title && seed == b.seed && size == b.domain.size && shape == b.domain.shape &&
          periodic == b.domain.periodic && file == b.grains.file && count == b.grains.count && by == b.grains.grading.by &&
@@ -225,7 +247,7 @@ bool same(const Case& a, const Case& b) {
          same(materials, b.materials) && same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) &&
          same(stages, b.stages) && fields == b.output.fields && fields_every == b.output.fields_every &&
          fields_count == b.output.fields_count && history_rows == b.output.history_rows && gravity == b.motion.gravity &&
-         safety == b.motion.safety && same(overlays, b.overlays) &&
+         fields_at.saturation == b.output.fields_at.saturation && safety == b.motion.safety && same(overlays, b.overlays) &&
          std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
            return x.first == y.first && x.second.low == y.second.low && x.second.high == y.second.high;
          });

@@ -4,6 +4,7 @@ import { element, label, number, table } from "./dom.js";
 import { loadingSections } from "./loading.js";
 import { permeabilitySection } from "./permeability.js";
 import { fitTable, loopTable, retentionFigure } from "./retention.js";
+import { flowSection } from "./two_phase.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const { manifest, runs } = data;
@@ -84,6 +85,11 @@ function build() {
     const loop = retentionFigure(runs, next++);
     figures.push(loop);
     page.append(section("Retention", loop.node, grid("tables uneven", fitTable(runs), loopTable(runs))));
+  }
+  for (const flow of data.flows) {
+    const { pictures, figures: drawn } = flowSection(flow, next++);
+    figures.push(...drawn);
+    page.append(section(data.flows.length > 1 ? `Two-phase flow, ${flow.name}` : "Two-phase flow", pictures, grid("pair", drawn.map((f) => f.node))));
   }
   if (runs.some((run) => run.pore.low.length > 0)) {
     const pair = distributionFigures(runs, next);

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "puadem/coupling/two_phase_stage.hpp"
 #include "puadem/dem/contact_law.hpp"
 #include "puadem/dem/material.hpp"
 #include "puadem/dem/packing.hpp"
@@ -130,11 +131,12 @@ struct PermeabilityStage {
 };
 
 using Stage = std::variant<CompactStage, IsotropicStage, OedometerStage, TriaxialStage, ShearStage, SettleStage, StrainStage,
-                           PermeabilityStage, RetentionStage>;
+                           PermeabilityStage, RetentionStage, TwoPhaseStage>;
 
 /// Does this stage put fluid into the pores of grains that stand? It then needs a network, made or from a file.
 template <class S>
-inline constexpr bool is_flowing = std::is_same_v<S, PermeabilityStage> || std::is_same_v<S, RetentionStage>;
+inline constexpr bool is_flowing =
+    std::is_same_v<S, PermeabilityStage> || std::is_same_v<S, RetentionStage> || std::is_same_v<S, TwoPhaseStage>;
 
 /// Does this stage load the grains that another one, or a file, has made?
 template <class S>
@@ -160,11 +162,17 @@ struct Overlay {
   std::filesystem::path folder;  ///< holds retention.csv and distributions.csv, or a run folder
 };
 
+/// States worth a set of fields and a picture.
+struct FieldsAt {
+  std::vector<double> saturation;  ///< of a stage with two fluids that move [-]
+};
+
 struct OutputOptions {
   bool fields = true;      ///< write VTP files
   int fields_every = 1;    ///< in equilibria of a retention stage
   int fields_count = 10;   ///< sets of files of a stage that loads the grains
-  int history_rows = 200;  ///< of a stage that loads the grains
+  int history_rows = 200;  ///< of a stage that loads the grains, or of one with two fluids that move
+  FieldsAt fields_at;
 };
 
 /// A bound on a named result, checked at the end of a run.

@@ -16,6 +16,7 @@ bool is_followed_by_network(const Case& c, int index) {
 void forget_pores(State& state) {
   state.network = {};
   state.invasion.reset();
+  state.flow.reset();
   state.saturation.clear();
 }
 
@@ -34,6 +35,8 @@ RunResults run(const Case& c, State& state, const Observer& observer) {
         is_seen = true;
         if (const auto* retention = std::get_if<RetentionStage>(&stage))
           run_retention_stage(c, *retention, state, watching, results);
+        else if (std::holds_alternative<TwoPhaseStage>(stage))
+          run_two_phase_stage(c, index, state, watching, results);
         else
           run_permeability_stage(c, index, state, watching, results);
         continue;

@@ -33,7 +33,10 @@ struct Observer {
   std::function<void(const State&, const HistoryRow&)> history;  ///< a row of a stage that loads the grains
   std::function<void(const State&, const DrivenFlow&, const PermeabilityResult&)> permeability;  ///< a stage has measured it
   std::function<void(const State&, const RetentionRow&)> equilibrium;                            ///< one retention row is reached
-  std::function<void(const State&, const InvasionEvent&)> event;  ///< one invasion event has happened
+  std::function<void(const State&, const InvasionEvent&)> event;                           ///< one invasion event has happened
+  std::function<void(const State&, const TwoPhaseModel&, const FlowRow&)> flow;            ///< a row of two fluids that move
+  std::function<void(const State&, const TwoPhaseModel&, double saturation)> flow_fields;  ///< a state worth its fields
+  std::function<void(const State&, const TwoPhaseEvent&)> flow_event;
 };
 
 /// Fluid volumes that a stage moved, summed event by event, against what the state holds.

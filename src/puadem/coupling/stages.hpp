@@ -25,6 +25,10 @@ void run_permeability_stage(const Case& c, int index, State& state, const Observ
 /// @throws InputError, NumericalError as `checked_network`, `start_invasion` and `follow_path`
 void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer, RunResults& results);
 
+/// Pore network of the grains as they lie, then two fluids that move in it (theory 6). `index` of the stage in the case.
+/// @throws InputError, NumericalError as `build_pore_network`, `make_two_phase_model` and `advance_two_phase`
+void run_two_phase_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
+
 /// Facts of the packing as it lies, into the results: numbers, radii, porosities.
 void describe_packing(const State& state, RunResults& results);
 

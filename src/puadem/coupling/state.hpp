@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "puadem/coupling/flow_record.hpp"
 #include "puadem/coupling/history.hpp"
 #include "puadem/coupling/permeability_result.hpp"
 #include "puadem/dem/grain_system.hpp"
@@ -26,6 +27,8 @@ struct State {
   int reservoir_pores = 0;                       ///< last pores of a network from a file that stand for its inlet and outlet
   std::vector<PermeabilityResult> permeability;  ///< of the stages so far
   std::optional<InvasionState> invasion;         ///< both fluids in the network, once a retention stage has begun
+  std::optional<TwoPhaseState> flow;             ///< both fluids as they move, once such a stage has begun
+  std::vector<FlowRecord> flows;                 ///< of these stages
   std::vector<double> saturation;                ///< per pore, wetting fluid [-]
   std::vector<RetentionRow> retention;           ///< equilibria so far
 };

@@ -7,7 +7,7 @@
 
 namespace puadem {
 
-// Dimensionless numbers of a displacement (theory 6.6).
+// Dimensionless numbers of a displacement (theory 5.6).
 
 /// Ca = mu_w v / gamma [-].
 /// @param velocity  volume of displaced wetting fluid per time and area of the region's initial boundary [m/s]

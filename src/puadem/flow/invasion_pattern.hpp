@@ -9,7 +9,7 @@
 
 namespace puadem {
 
-// The shape of an invaded region in a thin bed, seen through its thin direction (theory 6.7).
+// The shape of an invaded region in a thin bed, seen through its thin direction (theory 5.7).
 
 /// A picture of square pixels, row by row; 1 where it is invaded.
 struct PatternImage {

@@ -8,6 +8,7 @@
 #include "puadem/base/error.hpp"
 #include "puadem/base/parallel.hpp"
 #include "puadem/geometry/domain.hpp"
+#include "puadem/io/case_checks_two_phase.hpp"
 #include "puadem/io/case_file.hpp"
 #include "puadem/io/grading_statistics.hpp"
 #include "puadem/io/units.hpp"
@@ -229,6 +230,10 @@ void check_stage(const RetentionStage& stage, const StageContext& at, Problems& 
   if (span / stage.step > 1e6)
     problems.error(at.value_place("step"), fmt::format("stage.{}.step = {} makes {:.3g} steps along the path; at most 1e6",
                                                        at.index, show(stage.step, "Pa"), span / stage.step));
+}
+
+void check_stage(const TwoPhaseStage& stage, const StageContext& at, Problems& problems) {
+  check_two_phase_stage(stage, at.tree, at.index, at.c, problems);
 }
 
 /// Stages that load grains and walls: what they need of the box, and what cannot be both.

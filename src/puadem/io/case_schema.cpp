@@ -97,6 +97,14 @@ const Section<Fluids>& fluids_section() {
 
 // [output], [[overlay]], [expected]
 
+const Section<FieldsAt>& fields_at_section() {
+  KeyInfo saturation = number("saturation", inside(0, 1), "saturations at which fields and a picture are kept");
+  saturation.type = "a list of numbers";
+  saturation.example = "[0.9, 0.6, 0.3]";
+  static const Section<FieldsAt> section{{bind<FieldsAt>(saturation, &FieldsAt::saturation)}};
+  return section;
+}
+
 const Section<OutputOptions>& output_section() {
   static const Section<OutputOptions> section{{
       bind<OutputOptions>(flag("fields", "write grains, pores and throats as VTP files for ParaView"), &OutputOptions::fields),
@@ -110,6 +118,8 @@ const Section<OutputOptions>& output_section() {
           whole("history_rows", 1, 1e7,
                 "rows of series/history.csv of such a stage, evenly spread over its strain, stress or time", "200"),
           &OutputOptions::history_rows),
+      bind_table<OutputOptions>(plain("fields_at", "a table", "states of a stage with two fluids that move"), fields_at_section,
+                                &OutputOptions::fields_at),
   }};
   return section;
 }

@@ -17,6 +17,8 @@ const Section<PermeabilityStage>& stage_section();
 template <>
 const Section<RetentionStage>& stage_section();
 template <>
+const Section<TwoPhaseStage>& stage_section();
+template <>
 const Section<IsotropicStage>& stage_section();
 template <>
 const Section<OedometerStage>& stage_section();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "puadem/base/parallel.hpp"
@@ -77,7 +78,10 @@ void describe_grains(const Case& c, const SummaryBasis& basis, CaseSummary& summ
            fmt::format("{}{} x {} x {}, porosity {}{:.3f}, {}", basis.box_is_estimate ? "about " : "", show(basis.box.x, "m", 3),
                        show(basis.box.y, "m", 3), show(basis.box.z, "m", 3), basis.box_is_estimate ? "about " : "",
                        basis.porosity, faces_text(c.domain.periodic)));
-  const double narrowest = std::min({basis.box.x, basis.box.y, basis.box.z});
+  std::array<double, 3> sides{basis.box.x, basis.box.y, basis.box.z};
+  std::ranges::sort(sides);
+  // A thin bed is meant to be thin: there the next side counts.
+  const double narrowest = sides[0] < 0.5 * sides[1] ? sides[1] : sides[0];
   if (narrowest < 6.0 * 2.0 * s.largest)
     summary.warnings.push_back(fmt::format("the box is {:.2g} largest diameters wide; walls shape the results below about 10",
                                            narrowest / (2.0 * s.largest)));
@@ -145,7 +149,9 @@ CaseSummary summarise_case(const Case& c) {
   const SummaryBasis basis = basis_of(c, summary);
   add_line(summary, "case", fmt::format("{} (seed {})", c.title, c.seed));
   describe_grains(c, basis, summary);
-  const bool has_fluids = std::ranges::any_of(c.stages, [](const Stage& s) { return std::holds_alternative<RetentionStage>(s); });
+  const bool has_fluids = std::ranges::any_of(c.stages, [](const Stage& s) {
+    return std::holds_alternative<RetentionStage>(s) || std::holds_alternative<TwoPhaseStage>(s);
+  });
   if (has_fluids) describe_fluids(c, basis, summary);
   describe_stages(c, basis, summary);
   return summary;

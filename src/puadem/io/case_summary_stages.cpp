@@ -127,6 +127,27 @@ void describe(const RetentionStage& stage, Walk& w) {
   w.equilibria += stops;
 }
 
+std::string driven_text(const TwoPhaseStage& s) {
+  if (!s.path.empty())
+    return fmt::format("capillary pressures {}, each {}", points_text(s.path),
+                       s.hold ? "for " + show(*s.hold, "s") : "until the fluids rest");
+  if (s.withdrawal) return fmt::format("{:.3g} m3/s of water drawn off", *s.withdrawal);
+  if (s.capillary_number) return fmt::format("water drawn off at Ca = {:.3g}", *s.capillary_number);
+  return "water at " + points_text(s.water_pressure);
+}
+
+void describe(const TwoPhaseStage& stage, Walk& w) {
+  std::vector<std::string> water;
+  for (int face = 0; face < 6; ++face)
+    if (stage.water[to_size(face)]) water.emplace_back(face_names[to_size(face)]);
+  add_stage(w.summary, w.number, "two-phase-flow, " + driven_text(stage));
+  add_line(w.summary, "",
+           fmt::format("air at the {}, water at the {}{}",
+                       stage.air == TwoPhaseStage::disc ? "disc in the middle" : face_names[to_size(stage.air)], joined(water),
+                       stage.duration ? fmt::format("; {} at most", show(*stage.duration, "s")) : ""));
+  w.equilibria += 1 + size_of(w.c.output.fields_at.saturation);
+}
+
 std::string held_text(const IsotropicStage& s) { return fmt::format("to {} on all axes, until at rest", show(s.stress, "Pa")); }
 std::string held_text(const OedometerStage& s) {
   return s.strain ? fmt::format("to an axial strain of {}", *s.strain) : "to an axial stress of " + points_text(s.path);

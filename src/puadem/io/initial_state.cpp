@@ -33,6 +33,12 @@ void check_stage(const Case& c, const NetworkFile& file, int index, const Retent
           c.network_file->string());
 }
 
+void check_stage(const Case& c, const NetworkFile& file, int index, const TwoPhaseStage& stage) {
+  if (stage.air != TwoPhaseStage::disc) need_face(c, file, index, "air", stage.air);
+  for (int face = 0; face < 6; ++face)
+    if (stage.water[to_size(face)]) need_face(c, file, index, "water", face);
+}
+
 void check_stage(const Case&, const NetworkFile&, int, const auto&) {}
 
 /// What the stages ask of the network, before the first of them.

@@ -39,7 +39,10 @@ std::string show_duration(double seconds) {
 std::string progress_text(const Progress& p, double elapsed, int width) {
   std::string text = fmt::format("{} {:3.0f} %  {}", bar(p.fraction, 20), 100.0 * std::clamp(p.fraction, 0.0, 1.0), p.stage);
   if (p.stage == "retention") text += fmt::format("  p_c {}  S_r {:.3f}", show(p.capillary_pressure, "Pa"), p.saturation);
-  if (p.stage != "retention" && p.stage != "network") {
+  if (p.stage == "two-phase-flow")
+    text += fmt::format("  t {}  p_c {}  S_r {:.3f}  {} steps", show(p.time, "s"), show(p.capillary_pressure, "Pa"), p.saturation,
+                        p.step);
+  else if (p.stage != "retention" && p.stage != "network") {
     text += fmt::format("  unbalanced {:.1e}", p.unbalanced);
     if (elapsed > 0.5 && p.step > 0) text += fmt::format("  {:.0f} steps/s", static_cast<double>(p.step) / elapsed);
   }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "puadem/io/packing_file.hpp"
+#include "puadem/io/recording_parts.hpp"
 #include "puadem/io/results_folder.hpp"
 #include "puadem/io/series_writer.hpp"
 #include "puadem/io/vtk_fields.hpp"
@@ -15,7 +16,8 @@ using Clock = std::chrono::steady_clock;
 
 double wall_seconds(const ResultsFolder& folder) { return std::chrono::duration<double>(Clock::now() - folder.started).count(); }
 
-/// The series `file`, opened with its header when first needed.
+}  // namespace
+
 AppendFile& series(const ResultsFolder& folder, AppendFile& file, const char* name, std::string_view header) {
   if (!file.is_open()) {
     file = AppendFile(folder.path / "series" / name);
@@ -30,6 +32,16 @@ void record_message(ResultsFolder& folder, std::string_view message) {
   folder.log.append(fmt::format("[{:9.2f} s] {}\n", wall_seconds(folder), message));
   folder.log.flush();
 }
+
+void write_frame(const ResultsFolder& folder, std::vector<VtkFrame>& frames, const char* name, double time,
+                 const VtkPolyData& data) {
+  const std::string file = fmt::format("{}_{:05}.vtp", name, frames.size());
+  write_file(folder.path / "fields" / file, vtp_bytes(data));
+  frames.push_back({time, file});
+  write_file(folder.path / "fields" / fmt::format("{}.pvd", name), pvd_text(frames));
+}
+
+namespace {
 
 /// One line a second, and one where a stage begins or ends.
 void record_progress(ResultsFolder& folder, const Progress& p) {
@@ -54,14 +66,6 @@ void record_progress(ResultsFolder& folder, const Progress& p) {
 
 void record_compaction(ResultsFolder& folder, const Progress& p) {
   series(folder, folder.compaction, "compaction.csv", compaction_header).append(compaction_line(p));
-}
-
-void write_frame(const ResultsFolder& folder, std::vector<VtkFrame>& frames, const char* name, double time,
-                 const VtkPolyData& data) {
-  const std::string file = fmt::format("{}_{:05}.vtp", name, frames.size());
-  write_file(folder.path / "fields" / file, vtp_bytes(data));
-  frames.push_back({time, file});
-  write_file(folder.path / "fields" / fmt::format("{}.pvd", name), pvd_text(frames));
 }
 
 /// Grains, and contacts where the engine has them.
@@ -172,6 +176,7 @@ Observer recording_observer(ResultsFolder& folder, const Case& c) {
     record_permeability(folder, c, state, flow, result);
   };
   observer.history = [&folder, &c](const State& state, const HistoryRow& row) { record_history(folder, c, state, row); };
+  record_two_phase(folder, c, observer);
   observer.event = [&folder](const State&, const InvasionEvent& e) { record_event(folder, e); };
   return observer;
 }

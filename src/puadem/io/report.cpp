@@ -6,6 +6,7 @@
 #include "puadem/io/manifest.hpp"
 #include "puadem/io/report_assets.hpp"
 #include "puadem/io/report_data.hpp"
+#include "puadem/io/report_two_phase.hpp"
 #include "puadem/io/state_hash.hpp"
 
 namespace puadem {
@@ -73,6 +74,7 @@ json report_json(const ResultsFolder& folder, const Case& c, const State& state,
           {"highlights", highlights_json(state, results)},
           {"runs", std::move(runs)},
           {"permeability", permeability_json(state)},
+          {"flows", flows_json(folder, state)},
           {"facts", facts_json(state)},
           {"scalars", scalars_json(results)},
           {"case", case_json(c)},

@@ -6,6 +6,7 @@
 
 #include "puadem/io/grading_statistics.hpp"
 #include "puadem/io/report_data.hpp"
+#include "puadem/io/report_two_phase.hpp"
 
 namespace puadem {
 namespace {
@@ -88,10 +89,13 @@ json fluid_rows(const Case& c) {
     return std::ranges::any_of(c.stages, [&](const Stage& s) { return kind_of(s) == kind; });
   };
   json rows = json::array();
-  if (has(RetentionStage::kind)) {
+  if (has(RetentionStage::kind) || has(TwoPhaseStage::kind)) {
     rows.push_back({"Surface tension γ", in_print(c.fluids.surface_tension, "N/m")});
     rows.push_back({"Contact angle θ", in_print(c.fluids.contact_angle, "rad")});
   }
+  if (has(TwoPhaseStage::kind))
+    rows.push_back({"Viscosities, water and air",
+                    in_print(c.fluids.wetting.viscosity, "Pa s") + ", " + in_print(c.fluids.nonwetting.viscosity, "Pa s")});
   if (has(PermeabilityStage::kind)) rows.push_back({"Viscosity μ", in_print(c.fluids.wetting.viscosity, "Pa s")});
   if (c.network_file) return rows;
   rows.push_back({"Entry pressure law", std::visit([](const auto& law) { return std::string(law.name); }, c.pores.entry_law)});
@@ -198,6 +202,8 @@ json stage_rows(const RetentionStage& s) {
   if (o.trap_check == TrapCheck::step) rows.push_back({"Trapping is looked at", "once per step"});
   return rows;
 }
+
+json stage_rows(const TwoPhaseStage& s) { return two_phase_rows(s); }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "puadem/io/report_data.hpp"
+#include "puadem/io/report_two_phase.hpp"
 #include "puadem/io/units.hpp"
 
 namespace puadem {
@@ -176,6 +177,7 @@ json highlights_json(const State& state, const RunResults* results) {
   if (state.network.pores() > 0)
     top.push_back(highlight(state.particles.size() > 0 ? "Pore units" : "Pores", count(state.network.pores()),
                             count(state.network.throats()) + " throats"));
+  for (const auto& flow_highlight : two_phase_highlights(state, results)) top.push_back(flow_highlight);
   std::vector<RetentionRow> drainage;
   std::ranges::copy_if(state.retention, std::back_inserter(drainage), [](const auto& r) { return r.branch == "drainage-1"; });
   if (const auto half = capillary_pressure_at(drainage, 0.5)) {

@@ -8,6 +8,7 @@
 
 #include "puadem/base/error.hpp"
 #include "puadem/io/manifest.hpp"
+#include "puadem/io/recording_parts.hpp"
 #include "puadem/io/report.hpp"
 #include "puadem/io/state_hash.hpp"
 
@@ -93,9 +94,10 @@ void remove_all_of(const ResultsFolder& folder) {
 
 void write_summary(ResultsFolder& folder, const Case& c, const State& state, const RunResults* results, int exit_code,
                    const std::string& error_message) {
-  for (AppendFile* file :
-       {&folder.log, &folder.progress, &folder.retention, &folder.events, &folder.compaction, &folder.history, &folder.pressure})
+  for (AppendFile* file : {&folder.log, &folder.progress, &folder.retention, &folder.events, &folder.compaction, &folder.history,
+                           &folder.pressure, &folder.flow, &folder.flow_events})
     file->close();
+  write_flow_records(folder, state);
   using Json = nlohmann::json;
   const Json manifest = make_manifest(folder, c, state, results, exit_code, error_message);
   write_file(folder.path / "manifest.json", manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -9,9 +9,18 @@
 
 #include "puadem/coupling/run.hpp"
 #include "puadem/io/safe_file.hpp"
+#include "puadem/io/section_map.hpp"
 #include "puadem/io/vtk_writer.hpp"
 
 namespace puadem {
+
+/// The saturation in a section of the box at one time.
+struct FlowPicture {
+  std::string stage;
+  double time = 0.0;        ///< [s]
+  double saturation = 1.0;  ///< of the whole [-]
+  std::string bytes;        ///< see section_picture
+};
 
 /// The folder of one run, and what must be remembered between calls of the observer. It must outlive
 /// the observer that writes into it.
@@ -35,9 +44,13 @@ struct ResultsFolder {
   bool has_distributions = false;
   int equilibria = 0;
   long events_seen = 0;
-  std::string history_stage;                                                   ///< of the last history row
-  int fields_written = 0;                                                      ///< sets of files of that stage
-  AppendFile log, progress, retention, events, compaction, history, pressure;  ///< opened when first needed
+  std::string history_stage;                                                                      ///< of the last history row
+  int fields_written = 0;                                                                         ///< sets of files of that stage
+  AppendFile log, progress, retention, events, compaction, history, pressure, flow, flow_events;  ///< opened when first needed
+  long flow_events_seen = 0;
+  std::optional<SectionMap> section;  ///< of the pictures
+  int section_pores = 0;              ///< of the network it was cut from
+  std::vector<FlowPicture> pictures;
   std::chrono::steady_clock::time_point last_progress{};
   std::string last_stage;
 };

@@ -63,6 +63,14 @@ std::uint64_t state_hash(const State& state) {
     h.add(std::vector<Vec3>(r.permeability.tensor.begin(), r.permeability.tensor.end()));
     h.add(r.linear_error);
   }
+  if (state.flow) {
+    h.add(state.flow->time);
+    h.add(state.flow->wetting_volume);
+    h.add(state.flow->wetting_pressure);
+    h.add(state.flow->nonwetting_pressure);
+    h.add(state.flow->nonwetting.holds);
+    h.add(state.flow->nonwetting.passes);
+  }
   for (const RetentionRow& row : state.retention) {
     h.add(row.step);
     h.hash = fingerprint(row.branch, h.hash);
