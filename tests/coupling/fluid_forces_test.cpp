@@ -118,7 +118,7 @@ TEST(FluidForces, SectorsIntegrateThePressureOverTheGrain) {
   PushedAreas sectors = pushed_areas(bed.network, bed.sites, ThroatShare::surface, all_faces);
   for (int t = 0; t < bed.network.throats(); ++t)
     for (unsigned k = 0; k < 3; ++k) {
-      const auto sites = bed.sites(bed.network.throat_particles[to_size(t)]);
+      const auto sites = bed.sites(bed.network.throat_vertices(t));
       sectors.throat[to_size(t)][k] = 0.5 * sites[k].radius * sites[k].radius * throat_section(sites).side[k].extent;
     }
   const FluidForces f = pressure_forces(bed.network, sectors, p, {}, bed.grains());

@@ -22,7 +22,8 @@ TEST(ThroatFilms, ThreeTouchingSpheres) {
   PoreNetwork network;
   network.throat_pores = {{0, 1}};
   network.throat_entry_radius = {entry};
-  network.throat_particles = {{Vertex{0, {}}, Vertex{1, {}}, Vertex{2, {}}}};
+  network.triangulation.vertices = {{Vertex{0, {}}, Vertex{1, {}}, Vertex{2, {}}, Vertex{3, {}}}};
+  network.throat_facet = {{0, 0, {}, 3}};
   const std::vector<Vec3> centre{{2, 2, 2}, {4, 2, 2}, {3, 2 + std::sqrt(3.0), 2}};
   const std::vector<double> radius{1, 1, 1};
   const Domain box{{0, 0, 0}, {8, 8, 8}, {}};

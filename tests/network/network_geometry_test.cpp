@@ -79,7 +79,7 @@ TEST(NetworkGeometry, WallsThatHoldTheFluidLowerTheirThroatsOnly) {
   int lower = 0;
   for (int t = 0; t < slip.throats(); ++t) {
     bool at_left = false;
-    for (const Vertex& v : slip.throat_particles[to_size(t)]) at_left = at_left || (v.is_wall() && v.face() == 0);
+    for (const Vertex& v : slip.throat_vertices(t)) at_left = at_left || (v.is_wall() && v.face() == 0);
     const double g = slip.throat_conductance[to_size(t)];
     if (at_left) {
       EXPECT_LT(held.throat_conductance[to_size(t)], g);

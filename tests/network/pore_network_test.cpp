@@ -133,7 +133,7 @@ TEST(PoreNetwork, WallPoresTouchTheirWalls) {
   int wall_throats = 0;
   for (int t = 0; t < n.throats(); ++t) {
     int walls = 0;
-    for (const Vertex& v : n.throat_particles[to_size(t)]) walls += v.is_wall();
+    for (const Vertex& v : n.throat_vertices(t)) walls += v.is_wall();
     EXPECT_EQ(n.throat_at_wall[to_size(t)], walls > 0 ? 1 : 0) << t;
     wall_throats += walls > 0;
   }

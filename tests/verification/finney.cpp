@@ -58,7 +58,7 @@ void enter_with_fitting_menisci(const FinneyPacking& packing, PoreNetwork& netwo
   parallel_for(network.throats(), [&](int t) {
     double& radius = network.throat_entry_radius[to_size(t)];
     if (network.throat_entry_kind[to_size(t)] != EntryKind::half_gap || radius == 0.0) return;
-    radius = entry_with_fitting_menisci(throat_section(sites_of(network.throat_particles[to_size(t)])), radius);
+    radius = entry_with_fitting_menisci(throat_section(sites_of(network.throat_vertices(t))), radius);
   });
 }
 

@@ -52,7 +52,7 @@ PushedAreas pushed_areas(const PoreNetwork& network, const PackingSites& sites_o
     });
   parallel_for(network.throats(), [&](int t) {
     const Facet& facet = network.throat_facet[to_size(t)];
-    const auto& vertices = network.throat_particles[to_size(t)];
+    const auto vertices = network.throat_vertices(t);
     const auto sites = sites_of(vertices);
     const ThroatSection section = throat_section(sites);
     const ThroatDomain domain = throat_domain(sites, section, centre[to_size(facet.cell)],
@@ -82,8 +82,9 @@ FluidForces pressure_forces(const PoreNetwork& network, const PushedAreas& areas
     const auto [i, j] = network.throat_pores[to_size(t)];
     const auto& s = network.throat_shift[to_size(t)];
     const double drop = pressure[to_size(i)] - pressure[to_size(j)] - dot(jump, Vec3{1.0 * s[0], 1.0 * s[1], 1.0 * s[2]});
+    const auto vertices = network.throat_vertices(t);
     for (unsigned k = 0; k < 3; ++k) {
-      const Vertex& v = network.throat_particles[to_size(t)][k];
+      const Vertex& v = vertices[k];
       Vec3& force = v.is_wall() ? forces.wall[to_size(v.face())] : forces.grain[to_size(v.index)];
       force += drop * areas.throat[to_size(t)][k] * network.throat_normal[to_size(t)];
     }

@@ -1,5 +1,6 @@
 #include "puadem/flow/flow_graph.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace puadem {
@@ -61,9 +62,13 @@ FlowGraph make_flow_graph(const PoreNetwork& network, std::span<const double> co
   for (int p = 0; p < network.pores(); ++p)
     if (graph.pore_node[to_size(p)] < 0) flood(network, conductance, {p}, graph);
 
+  const auto resists = [](double g) { return g > 0.0 && !std::isinf(g); };
+  const auto links = to_size(static_cast<int>(std::ranges::count_if(conductance, resists)));
+  graph.link.reserve(links);
+  graph.link_shift.reserve(links);
+  graph.link_throat.reserve(links);
   for (int t = 0; t < network.throats(); ++t) {
-    const double g = conductance[to_size(t)];
-    if (g <= 0.0 || std::isinf(g)) continue;
+    if (!resists(conductance[to_size(t)])) continue;
     const auto [i, j] = network.throat_pores[to_size(t)];
     const int a = graph.pore_node[to_size(i)], b = graph.pore_node[to_size(j)];
     // Node frames: pore j stands beside pore i where it is moved by the throat's shift.

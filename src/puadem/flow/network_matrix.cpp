@@ -21,6 +21,8 @@ NetworkMatrix::NetworkMatrix(int rows, std::span<const std::array<int, 2>> links
     neighbour[to_size(next[to_size(j)]++)] = i;
   }
   pattern.start.reserve(to_size(rows) + 1);
+  pattern.index.reserve(neighbour.size() + to_size(rows));
+  diagonal_entry.reserve(to_size(rows));
   for (int r = 0; r < rows; ++r) {
     const auto begin = neighbour.begin() + count[to_size(r)], end = neighbour.begin() + count[to_size(r) + 1];
     std::sort(begin, end);

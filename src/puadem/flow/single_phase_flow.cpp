@@ -146,6 +146,7 @@ class Solve {
     for (int n = 0; n < graph().nodes(); ++n)
       if (!prescribed_[to_size(n)] && n != pinned) memory_.unknown[to_size(n)] = unknowns++;
     std::vector<std::array<int, 2>> links;
+    links.reserve(graph().link.size());
     for (const auto& [a, b] : graph().link)
       if (a != b && memory_.unknown[to_size(a)] >= 0 && memory_.unknown[to_size(b)] >= 0)
         links.push_back({memory_.unknown[to_size(a)], memory_.unknown[to_size(b)]});
@@ -206,6 +207,7 @@ class Solve {
       }
     if (std::ranges::equal(conductance_, memory_.conductance) && diagonal == memory_.diagonal) return;  // the factor stands
     std::vector<double> link_conductance;
+    link_conductance.reserve(graph().link.size());
     for (int k = 0; k < graph().links(); ++k) {
       const auto [a, b] = graph().link[to_size(k)];
       if (a != b && memory_.unknown[to_size(a)] >= 0 && memory_.unknown[to_size(b)] >= 0)

@@ -57,7 +57,7 @@ ThroatFilms throat_films(const PoreNetwork& network, const PackingSites& sites_o
     const std::size_t t = to_size(index);
     const double r = network.throat_entry_radius[t];
     if (r <= 0.0) return;
-    const ThroatSection section = throat_section(sites_of(network.throat_particles[t]));
+    const ThroatSection section = throat_section(sites_of(network.throat_vertices(index)));
     const Corners entry = corners_at(section, r, contact_angle);
     is_usual[t] = entry.area <= 0.0 || entry.area >= section.void_area;
     if (is_usual[t]) return;

@@ -13,7 +13,7 @@
 namespace puadem {
 
 /// Pores joined by throats. Plain arrays, one entry per pore or per throat, SI units. `flow` needs
-/// nothing else; a network read from a file leaves `tetrahedra` and the particles of throats empty.
+/// nothing else; a network read from a file has no triangulation.
 ///
 /// A pore is a pore unit: one or more tetrahedra of the regular triangulation. A throat is one facet
 /// between two different pores; two pores may share several throats, and each stays a throat of its own.
@@ -38,8 +38,7 @@ struct PoreNetwork {
   std::vector<double> throat_entry_radius;     ///< r*: entry pressure p_e = gamma / r* [m] (theory 3.4)
   std::vector<double> throat_snap_off_radius;  ///< r_so: snap-off pressure p_so = gamma / r_so [m] (theory 3.5)
   std::vector<EntryKind> throat_entry_kind;
-  std::vector<std::uint8_t> throat_at_wall;             ///< 1 where a wall bounds the throat
-  std::vector<std::array<Vertex, 3>> throat_particles;  ///< grains or walls around the throat
+  std::vector<std::uint8_t> throat_at_wall;  ///< 1 where a wall bounds the throat
 
   // From the triangulation; empty for a network read from a file.
   Triangulation triangulation;
@@ -52,6 +51,8 @@ struct PoreNetwork {
 
   int pores() const { return size_of(pore_volume); }
   int throats() const { return size_of(throat_pores); }
+  /// Grains or walls around a throat.
+  std::array<Vertex, 3> throat_vertices(int throat) const { return facet_vertices(triangulation, throat_facet[to_size(throat)]); }
 };
 
 /// Throats of each pore, ascending; a throat from a pore to its own image is listed once.

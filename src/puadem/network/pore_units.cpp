@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <ranges>
 
 #include "puadem/base/error.hpp"
 #include "puadem/geometry/cell.hpp"
@@ -66,26 +67,39 @@ void lay_out_pores(PoreNetwork& network, MergedCells merged) {
 
 /// Throats are the facets between two pores, or between a pore and its own image. Returns which facets they are.
 std::vector<int> lay_out_throats(PoreNetwork& network, std::span<const Facet> facets) {
-  std::vector<int> kept;
-  for (int f = 0; f < size_of(facets); ++f) {
-    const Facet& facet = facets[to_size(f)];
-    const auto a = to_size(facet.cell), b = to_size(facet.neighbour);
-    int i = network.tetrahedron_pore[a], j = network.tetrahedron_pore[b];
+  const auto shift_of = [&](const Facet& facet) {
+    const Shift &a = network.tetrahedron_shift[to_size(facet.cell)], &b = network.tetrahedron_shift[to_size(facet.neighbour)];
     Shift shift;
-    for (std::size_t k = 0; k < 3; ++k)
-      shift[k] = static_cast<std::int8_t>(network.tetrahedron_shift[a][k] + facet.shift[k] - network.tetrahedron_shift[b][k]);
-    if (i == j && shift == Shift{}) continue;  // inside one unit
+    for (std::size_t k = 0; k < 3; ++k) shift[k] = static_cast<std::int8_t>(a[k] + facet.shift[k] - b[k]);
+    return shift;
+  };
+  const auto is_throat = [&](int f) {
+    const Facet& facet = facets[to_size(f)];
+    return network.tetrahedron_pore[to_size(facet.cell)] != network.tetrahedron_pore[to_size(facet.neighbour)] ||
+           shift_of(facet) != Shift{};
+  };
+  const auto all = std::views::iota(0, size_of(facets));
+  const auto count = to_size(static_cast<int>(std::ranges::count_if(all, is_throat)));
+  std::vector<int> kept;
+  kept.reserve(count);
+  network.throat_pores.reserve(count);
+  network.throat_shift.reserve(count);
+  network.throat_facet.reserve(count);
+  network.throat_at_wall.reserve(count);
+  for (const int f : all) {
+    if (!is_throat(f)) continue;
+    const Facet& facet = facets[to_size(f)];
+    int i = network.tetrahedron_pore[to_size(facet.cell)], j = network.tetrahedron_pore[to_size(facet.neighbour)];
+    Shift shift = shift_of(facet);
     if (j < i) {
       std::swap(i, j);
       for (auto& s : shift) s = static_cast<std::int8_t>(-s);
     }
     kept.push_back(f);
-    const auto vertices = facet_vertices(network.triangulation, facet);
     network.throat_pores.push_back({i, j});
     network.throat_shift.push_back(shift);
     network.throat_facet.push_back(facet);
-    network.throat_particles.push_back(vertices);
-    network.throat_at_wall.push_back(std::ranges::any_of(vertices, &Vertex::is_wall) ? 1 : 0);
+    network.throat_at_wall.push_back(std::ranges::any_of(facet_vertices(network.triangulation, facet), &Vertex::is_wall) ? 1 : 0);
     ++network.pore_faces[to_size(i)];
     ++network.pore_faces[to_size(j)];
   }
@@ -98,6 +112,7 @@ template <class T>
 void select(std::vector<T>& values, const std::vector<int>& kept) {
   for (std::size_t k = 0; k < kept.size(); ++k) values[k] = values[to_size(kept[k])];  // ascending: read before written
   values.resize(kept.size());
+  values.shrink_to_fit();  // merging leaves a third
 }
 
 void select(FacetGeometry& g, const std::vector<int>& kept) {

@@ -25,7 +25,7 @@ std::array<Vertex, 3> vertices_in_pore(const PoreNetwork& network, int t) {
   Shift move = network.tetrahedron_shift[to_size(cell)];
   if (network.tetrahedron_pore[to_size(cell)] != network.throat_pores[to_size(t)][0])
     for (std::size_t k = 0; k < 3; ++k) move[k] = static_cast<std::int8_t>(move[k] + network.throat_shift[to_size(t)][k]);
-  auto vertices = network.throat_particles[to_size(t)];
+  auto vertices = network.throat_vertices(t);
   for (Vertex& v : vertices)
     if (!v.is_wall())
       for (std::size_t k = 0; k < 3; ++k) v.shift[k] = static_cast<std::int8_t>(v.shift[k] + move[k]);
