@@ -149,11 +149,11 @@ void look_for_jump(Flowing& f) {
 bool note_step(Flowing& f) {
   const double before = f.saturation;
   f.saturation = totals(f.state.network, f.model, f.flow()).saturation;
-  const FlowRow& last = f.record.rows.back();
   if (f.stage.duration) f.done = f.flow().time / *f.stage.duration;
   if (f.stage.until_saturation > 0.0) f.done = std::max(f.done, (1.0 - f.saturation) / (1.0 - f.stage.until_saturation));
   f.ends = f.ends || f.saturation <= f.stage.until_saturation;
   if (f.breaks_through) note_breakthrough(f);
+  const FlowRow last = f.record.rows.back();
   const bool is_late = f.stage.duration && f.flow().time - last.time >= *f.stage.duration / f.c.output.history_rows;
   if (is_late || std::abs(f.saturation - last.saturation) >= 1.0 / f.c.output.history_rows) add_row(f);
   const auto passed = [&](double s) { return (before - s) * (f.saturation - s) <= 0.0 && before != f.saturation; };

@@ -41,7 +41,7 @@ Csr cut_off_anywhere(const PoreLinks& links, FluidClusters& clusters) {
   connect_all(links, clusters);
   Csr lost;
   for (int pore = 0; pore < size_of(before); ++pore) {
-    if (!before[to_size(pore)] || clusters.connected[to_size(pore)]) continue;
+    if (!before[to_size(pore)] || !clusters.holds[to_size(pore)] || clusters.connected[to_size(pore)]) continue;
     const std::vector<int> cluster = reconnect(links, pore, clusters);
     lost.index.insert(lost.index.end(), cluster.begin(), cluster.end());
     lost.start.push_back(size_of(lost.index));
