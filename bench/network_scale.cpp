@@ -11,50 +11,18 @@
 #include <cstdlib>
 #include <limits>
 
-#include "puadem/base/random.hpp"
 #include "puadem/flow/single_phase_flow.hpp"
 #include "puadem/io/packing_file.hpp"
 #include "puadem/network/merging.hpp"
 #include "puadem/network/network_geometry.hpp"
 #include "puadem/network/pore_units.hpp"
+#include "shaken_bed.hpp"
 
 using namespace puadem;
 
 namespace {
 
 constexpr int largest_factored = 60000;  // the factor of more takes gigabytes
-
-struct Bed {
-  std::vector<Vec3> centre;
-  std::vector<double> radius;
-  Domain box;
-};
-
-/// Body-centred cells shaken by a tenth of the spacing, radii 1 : 1.3: a bed of any size, without overlaps, whose
-/// triangulation has no ties. Walls below and above, periodic sideways.
-Bed make_bed(int grains) {
-  const int n = static_cast<int>(std::lround(std::cbrt(grains / 2.0)));
-  const double edge = 1e-3;
-  Bed bed;
-  bed.box = {{0, 0, 0}, {n * edge, n * edge, n * edge}, {true, true, false}};
-  Random random(1);
-  for (int i = 0; i < 2 * n * n * n; ++i) {
-    const int k = i / 2;
-    const double corner = 0.25 + 0.5 * (i % 2);
-    const auto jitter = [&] { return random.uniform(-0.05, 0.05); };
-    const double x = k % n + corner + jitter(), y = k / n % n + corner + jitter(), z = k / (n * n) + corner + jitter();
-    bed.centre.push_back(edge * Vec3{x, y, z});
-    bed.radius.push_back(edge * random.uniform(0.3, 0.38));
-  }
-  return bed;
-}
-
-double processor_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 double peak_bytes() {
   rusage usage{};
@@ -87,7 +55,7 @@ void solve_twice(const PoreNetwork& network, const Domain& box, PressureSolverOp
   again = timed([&] { solve_single_phase(network, box, problem, memory); });
 }
 
-Row measured_here(const Bed& bed) {
+Row measured_here(const ShakenBed& bed) {
   const double before = peak_bytes();
   Row row;
   row.grains = size_of(bed.radius);
@@ -120,7 +88,7 @@ Row measured_here(const Bed& bed) {
 }
 
 /// In a process of its own, whose peak of memory is its alone.
-Row measure(const Bed& bed) {
+Row measure(const ShakenBed& bed) {
   int ends[2];
   if (pipe(ends) != 0) return {};
   const pid_t child = fork();
@@ -173,7 +141,7 @@ int main(int count, char** arguments) {
   }
   Row last;
   for (int grains = 1000; grains <= largest; grains *= 10) {
-    const Row row = measure(make_bed(grains));
+    const Row row = measure(make_shaken_bed(grains, true));
     print("bed", row);
     if (last.grains > 0) print_growth(last, row);
     last = row;

@@ -2,55 +2,22 @@
 // water is left, on one thread. Prints steps, linear solves and processor seconds for beds of growing size.
 // Usage: bench_two_phase [implicit | impes] [connected | incompressible] [largest number of grains]
 
-#include <sys/resource.h>
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
 
-#include "puadem/base/random.hpp"
 #include "puadem/flow/two_phase_flow.hpp"
 #include "puadem/network/pore_units.hpp"
+#include "shaken_bed.hpp"
 
 using namespace puadem;
 
 namespace {
 
-struct Bed {
-  std::vector<Vec3> centre;
-  std::vector<double> radius;
-  Domain box;
-};
-
-/// Body-centred cells shaken by a tenth of the spacing between walls, radii 1 : 1.3, no overlaps.
-Bed make_bed(int grains) {
-  const int n = static_cast<int>(std::lround(std::cbrt(grains / 2.0)));
-  const double edge = 1e-3;
-  Bed bed;
-  bed.box.upper = {n * edge, n * edge, n * edge};
-  Random random(1);
-  for (int i = 0; i < 2 * n * n * n; ++i) {
-    const int k = i / 2;
-    const double corner = 0.25 + 0.5 * (i % 2);
-    const auto jitter = [&] { return random.uniform(-0.05, 0.05); };
-    const double x = k % n + corner + jitter(), y = k / n % n + corner + jitter(), z = k / (n * n) + corner + jitter();
-    bed.centre.push_back(edge * Vec3{x, y, z});
-    bed.radius.push_back(edge * random.uniform(0.3, 0.38));
-  }
-  return bed;
-}
-
-double processor_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
 /// One run; @return its processor seconds.
-double run(const Bed& bed, const TwoPhaseOptions& options) {
+double run(const ShakenBed& bed, const TwoPhaseOptions& options) {
   constexpr double suction = 2000.0, left = 0.126;
   const PoreNetwork network = build_pore_network(bed.centre, bed.radius, bed.box, {});
   const double begin = processor_seconds();
@@ -95,7 +62,7 @@ int main(int argc, char** argv) {
   double last_size = 0.0;
   for (const int grains : {1000, 2000, 10000}) {
     if (grains > most) break;
-    const double seconds = run(make_bed(grains), options);
+    const double seconds = run(make_shaken_bed(grains, false), options);
     if (last_seconds)
       std::printf("        exponent of the whole cost: %.2f\n", std::log(seconds / *last_seconds) / std::log(grains / last_size));
     last_seconds = seconds;

@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "puadem/base/error.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/io/case_file.hpp"
 #include "puadem/io/case_templates.hpp"
-#include "puadem/io/grading_statistics.hpp"
 #include "puadem/io/initial_state.hpp"
 #include "puadem/io/inspect.hpp"
 #include "puadem/io/packing_file.hpp"

@@ -3,6 +3,7 @@
 
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/stages.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/dem/sphere_in_box.hpp"
 
 namespace puadem {
@@ -62,23 +63,17 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
 
 void describe_packing(const State& state, RunResults& results) {
   const auto& radius = state.particles.radius;
-  double sum = 0.0, squares = 0.0, cubes = 0.0, largest = 0.0;
-  for (const double r : radius) {
-    sum += r;
-    squares += r * r;
-    cubes += r * r * r;
-    largest = std::max(largest, r);
-  }
+  const GrainStatistics grains = statistics_of(radius);
   auto& s = results.scalars;
   s["grains"] = state.particles.size();
-  s["radius_mean_m"] = sum / state.particles.size();
-  s["radius_sauter_m"] = cubes / squares;
+  s["radius_mean_m"] = grains.mean_radius;
+  s["radius_sauter_m"] = grains.sauter_radius;
   s["porosity_box"] = porosity_of(state.particles.position, radius, state.domain);
   const Vec3 size = state.domain.size();
   bool has_core = true;  // farther than one largest diameter from every wall
   for (int axis = 0; axis < 3; ++axis)
-    has_core = has_core && (state.domain.periodic[to_size(axis)] || size[axis] > 4.0 * largest);
-  if (has_core) s["porosity_core"] = porosity_of(state.particles.position, radius, core_of(state.domain, 2.0 * largest));
+    has_core = has_core && (state.domain.periodic[to_size(axis)] || size[axis] > 4.0 * grains.largest);
+  if (has_core) s["porosity_core"] = porosity_of(state.particles.position, radius, core_of(state.domain, 2.0 * grains.largest));
   for (int axis = 0; axis < 3; ++axis) s[std::string("box_") + "xyz"[axis] + "_m"] = size[axis];
 }
 

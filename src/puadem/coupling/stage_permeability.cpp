@@ -5,20 +5,12 @@
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/checked_network.hpp"
 #include "puadem/coupling/stages.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/dem/tensor.hpp"
 
 namespace puadem {
 
 namespace {
-
-double sauter_radius_of(const Particles& particles) {
-  double squares = 0.0, cubes = 0.0;
-  for (const double r : particles.radius) {
-    squares += r * r;
-    cubes += r * r * r;
-  }
-  return cubes / squares;
-}
 
 double void_of(const PoreNetwork& network, int reservoir_pores) {
   CompensatedSum sum;
@@ -129,7 +121,7 @@ void run_permeability_stage(const Case& c, int index, State& state, const Observ
   r.throats = network.throats();
   r.closed_throats = static_cast<int>(std::ranges::count(network.throat_conductance, 0.0));
   r.porosity = void_of(network, state.reservoir_pores) / state.domain.volume();
-  if (state.particles.size() > 0) r.sauter_radius = sauter_radius_of(state.particles);
+  if (state.particles.size() > 0) r.sauter_radius = statistics_of(state.particles.radius).sauter_radius;
 
   report(kind_of(c.stages[to_size(index)]), 0.0);
   const int axis = axis_of(stage.inlet);

@@ -8,6 +8,7 @@
 
 #include "puadem/coupling/checked_network.hpp"
 #include "puadem/coupling/stages.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/flow/retention_path.hpp"
 
 namespace puadem {
@@ -94,9 +95,7 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   RetentionPath path;
   path.turning_points = stage.path;
   path.step = stage.step;
-  if (state.particles.size() > 0)
-    path.mean_grain_radius =
-        std::accumulate(state.particles.radius.begin(), state.particles.radius.end(), 0.0) / state.particles.size();
+  if (state.particles.size() > 0) path.mean_grain_radius = statistics_of(state.particles.radius).mean_radius;
   const auto stops = static_cast<double>(retention_stops(path).size());
   std::array<int, invasion_event_kinds> events{};
   follow_path(

@@ -4,17 +4,12 @@
 #include <cmath>
 
 #include "puadem/base/compensated_sum.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/flow/flow_numbers.hpp"
 
 namespace puadem {
 
 namespace {
-
-double mean_radius_of(const Particles& grains) {
-  CompensatedSum sum;
-  for (const double r : grains.radius) sum.add(r);
-  return grains.size() > 0 ? sum.value() / grains.size() : 0.0;
-}
 
 /// The region of the air at the start, and the pores of the water's reservoir, as boundaries name them.
 const FlowBoundary& boundary_of(const TwoPhaseModel& model, FluidPhase fluid) {
@@ -29,7 +24,8 @@ void describe_numbers(const TwoPhaseModel& model, const State& state, double ini
   auto& s = results.scalars;
   s[name + "_capillary_number"] = capillary_number_at_half(rows, model.fluids, initial_area);
   s[name + "_viscosity_ratio"] = viscosity_ratio(model.fluids);
-  s[name + "_bond_number"] = bond_number(model.fluids, norm(model.options.gravity), mean_radius_of(state.particles));
+  s[name + "_bond_number"] = bond_number(model.fluids, norm(model.options.gravity),
+                                         state.particles.size() > 0 ? statistics_of(state.particles.radius).mean_radius : 0.0);
   const double conductance = conductance_between(state.network, air, water);
   const double breakthrough =
       breakthrough_pressure(state.network, model.thresholds.entry_pressure, model.thresholds.body_pressure, air, water);

@@ -7,10 +7,10 @@
 
 #include "puadem/base/error.hpp"
 #include "puadem/base/parallel.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/geometry/domain.hpp"
 #include "puadem/io/case_checks_two_phase.hpp"
 #include "puadem/io/case_file.hpp"
-#include "puadem/io/grading_statistics.hpp"
 #include "puadem/io/units.hpp"
 
 namespace puadem {

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/io/case_summary.hpp"
-#include "puadem/io/grading_statistics.hpp"
 
 namespace puadem {
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "puadem/base/error.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/io/case_file.hpp"
 #include "puadem/io/case_summary.hpp"
-#include "puadem/io/grading_statistics.hpp"
 #include "puadem/io/network_file.hpp"
 #include "puadem/io/packing_file.hpp"
 #include "puadem/io/text_file.hpp"

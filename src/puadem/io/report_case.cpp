@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "puadem/io/grading_statistics.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/io/report_data.hpp"
 #include "puadem/io/report_two_phase.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "csv.hpp"
 #include "puadem/base/random.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/dem/packing.hpp"
 #include "puadem/flow/permeability.hpp"
 #include "puadem/geometry/cell.hpp"
@@ -35,16 +36,7 @@ Permeability permeability_of(const Spheres& s) { return measure_permeability(tet
 
 double porosity_of(const Spheres& s) { return 1.0 - s.solid_volume() / s.domain.volume(); }
 
-double sauter_radius(const Spheres& s) {
-  double squares = 0.0, cubes = 0.0;
-  for (const double r : s.radius) {
-    squares += r * r;
-    cubes += r * r * r;
-  }
-  return cubes / squares;
-}
-
-double kozeny_carman_of(const Spheres& s) { return kozeny_carman(porosity_of(s), sauter_radius(s)); }
+double kozeny_carman_of(const Spheres& s) { return kozeny_carman(porosity_of(s), statistics_of(s.radius).sauter_radius); }
 
 /// Grains of 0.8 to 1.2 mm, packed without friction at 10 kPa: as dense as a random packing gets.
 Spheres dense_packing(int count, const Vec3& shape, const std::array<bool, 3>& periodic, int seed) {
@@ -234,8 +226,9 @@ void write_columns(const std::filesystem::path& folder) {
         largest = std::max(largest, std::abs(difference));
         if (seed == 1 && p % stride == 0) profile.row(grains, height, flow.pressure[to_size(p)]);
       }
-      csv.row(grains, seed, pores, s.domain.size().z / (2.0 * sauter_radius(s)), std::sqrt(squares / pores), largest,
-              relative_error(-flow.face_inflow[5], flow.face_inflow[4]), section_error(column), flow.imbalance, flow.carried);
+      csv.row(grains, seed, pores, s.domain.size().z / (2.0 * statistics_of(s.radius).sauter_radius), std::sqrt(squares / pores),
+              largest, relative_error(-flow.face_inflow[5], flow.face_inflow[4]), section_error(column), flow.imbalance,
+              flow.carried);
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "puadem/dem/packing.hpp"
+#include "puadem/dem/grading.hpp"
 
 namespace puadem {
 

@@ -1,4 +1,4 @@
-#include "puadem/io/grading_statistics.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 
 #include <algorithm>
 #include <array>
