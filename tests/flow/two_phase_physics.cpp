@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "flow/two_phase_samples.hpp"
+#include "flow/two_phase_scenes.hpp"
 #include "puadem/base/error.hpp"
 
 namespace puadem {
@@ -16,40 +17,15 @@ using ::testing::HasSubstr;
 double body_pressure(const TwoPhaseModel& model, int pore) { return model.thresholds.body_pressure[to_size(pore)]; }
 
 TEST(TwoPhaseChain, AHainesJumpEndsWhereBothPoresFollowTheirLaw) {
-  // Reservoir - pore 1 - pore 2 - reservoir; the throat between the pores is the tightest.
-  const PoreNetwork network = upright_chain({1.0, 6.0, 20.0}, 1e-3, 1.0);
-  TwoPhaseModel model = make_model(network, unit_fluids(), {}, Schedule::constant(-1.0));
-  const double threshold = std::max(6.0, body_pressure(model, 2));
-  TwoPhaseState state = start_two_phase(network, model);
-  const auto rest_at = [&](double pressure) {
-    model.boundaries[1].schedule = Schedule::constant(-pressure);
-    equilibrate_two_phase(network, model, {}, state);
-  };
-  rest_at(threshold * (1.0 - 1e-6));
-  EXPECT_TRUE(state.nonwetting.holds[1]);
-  EXPECT_FALSE(state.nonwetting.holds[2]);
-  EXPECT_NEAR(state.wetting_volume[2], network.pore_volume[2], 1e-9);
-
+  const HainesJumpScene scene = haines_jump_scene();
+  EXPECT_FALSE(scene.enters_below);
+  EXPECT_TRUE(scene.enters_above);
+  EXPECT_NEAR(scene.lost_below, 0.0, 1e-9);
   // On its way the invaded pore only drains, and nothing is lost.
-  const double pressure = threshold * (1.0 + 1e-6), before = state.wetting_volume[1] + state.wetting_volume[2];
-  const double out = state.boundary_inflow[1][0];
-  model.boundaries[1].schedule = Schedule::constant(-pressure);
-  double last = network.pore_volume[2], rise = 0.0;
-  TwoPhaseCallbacks callbacks;
-  callbacks.on_step = [&](const TwoPhaseState& now) {
-    EXPECT_LE(now.wetting_volume[2], last + 1e-12);
-    last = now.wetting_volume[2];
-    rise = std::max(rise, now.wetting_pressure[2] + pressure);
-    EXPECT_NEAR(now.wetting_volume[1] + now.wetting_volume[2] - before, now.boundary_inflow[1][0] - out, 1e-12);
-    return true;
-  };
-  advance_two_phase(network, model, 50.0 * model.time_scale, {}, state, callbacks);
-  EXPECT_GT(rise, 0.1 * pressure) << "the pressure in the invaded pore jumps up";
-  rest_at(pressure);
-  const ExponentialRetention law;
-  for (const int i : {1, 2})
-    EXPECT_NEAR(state.wetting_volume[to_size(i)] / network.pore_volume[to_size(i)],
-                law.saturation(model.thresholds.unit[to_size(i)], pressure), 1e-7);
+  EXPECT_LE(scene.regain, 1e-12);
+  EXPECT_LT(scene.imbalance, 1e-12);
+  EXPECT_GT(scene.rise, 0.1) << "the pressure in the invaded pore jumps up";
+  EXPECT_LT(scene.law_difference, 1e-7);
 }
 
 TEST(TwoPhaseChain, TwoPoresDoNotFightOverAThroatWiderThanTheirBodies) {
@@ -63,101 +39,29 @@ TEST(TwoPhaseChain, TwoPoresDoNotFightOverAThroatWiderThanTheirBodies) {
 }
 
 TEST(TwoPhaseChain, ImbibitionGoesWithTheRootOfTime) {
-  // Washburn: pore n fills through n - 1 full throats. With a pore's suction p_c(S) the time of the n-th is
-  // mu V / g sum_k k int dS / p_c, and 1 / p_c = (1 - e^(-kappa S)) / p_thr. The throats hold against the suction ahead.
-  const int pores = 62;
-  const double g = 1e-3;
-  const PoreNetwork network = upright_chain(std::vector<double>(pores - 1, 2.0), g);
-  TwoPhaseOptions options;
-  options.gas = GasKind::connected;
-  options.corner_films = false;
-  options.steps.front_change = 0.01;
-  const TwoPhaseModel model = make_model(network, unit_fluids(), options, Schedule::constant(0.0));
-  TwoPhaseState state = start_two_phase(network, model);
-  const double start = 0.1;
-  fill_with_gas(network, model, start, 0.0, state);
-  std::vector<double> filled;
-  TwoPhaseCallbacks callbacks;
-  callbacks.on_event = [&](const TwoPhaseEvent& event) {
-    if (event.kind == InvasionEventKind::fill) filled.push_back(event.time);
-  };
-  callbacks.on_step = [&](const TwoPhaseState&) { return filled.size() < 60; };
-  advance_two_phase(network, model, 1e12, {}, state, callbacks);
-  ASSERT_EQ(filled.size(), 60U);
-  const CapillaryUnit& unit = model.thresholds.unit[1];
-  const double kappa = ExponentialRetention{}.kappa(unit.faces);
-  const double unit_time = network.pore_volume[1] * model.fluids.wetting.viscosity / g / unit.threshold *
-                           (1.0 - start - (std::exp(-kappa * start) - std::exp(-kappa)) / kappa);
-  for (const int n : {20, 40, 60}) EXPECT_NEAR(filled[to_size(n - 1)] / (unit_time * 0.5 * n * (n + 1)), 1.0, 0.1) << n;
-  EXPECT_NEAR(std::log(60.0 / 20.0) / std::log(filled[59] / filled[19]), 0.5, 0.03);
+  const WashburnScene scene = washburn_scene();
+  ASSERT_EQ(scene.time.size(), 60U);
+  for (const std::size_t n : {20U, 40U, 60U}) EXPECT_NEAR(scene.time[n - 1] / scene.by_sum[n - 1], 1.0, 0.1) << n;
+  EXPECT_NEAR(scene.exponent, 0.5, 0.03);
 }
 
 TEST(TwoPhaseChain, ThroatsOfTwoFluidsResistInSeries) {
-  // Gas behind the front, water ahead of it: one flow, driven by what the front's capillary pressure leaves.
-  const double g = 1e-3;
-  const PoreNetwork network = upright_chain(std::vector<double>(20, 0.5), g);
   for (const double gas_viscosity : {1e-4, 1e-3, 1e-2}) {
-    Fluids fluids = unit_fluids();
-    fluids.nonwetting.viscosity = gas_viscosity;
-    TwoPhaseOptions options;
-    options.corner_films = false;
-    const TwoPhaseModel model = make_model(network, fluids, options, Schedule::constant(-0.6));
-    TwoPhaseState state = start_two_phase(network, model);
-    int checked = 0;
-    long events = 0;
-    TwoPhaseCallbacks callbacks;
-    callbacks.on_event = [&](const TwoPhaseEvent&) { ++events; };
-    callbacks.on_step = [&](const TwoPhaseState& now) {
-      const bool is_quiet = events == 0;  // conductances of this step are those the state has now
-      events = 0;
-      const auto front = static_cast<int>(std::ranges::find(now.nonwetting.holds, 0) - now.nonwetting.holds.begin()) - 1;
-      if (!is_quiet || front < 5 || front > 15) return front <= 15;
-      const double share = now.wetting_volume[to_size(front)] / network.pore_volume[to_size(front)];
-      if (share > 0.9 || share < 0.3) return true;  // behind the front, pores then still adjust
-      const double water = (network.throats() - front) * fluids.wetting.viscosity / g, gas = front * gas_viscosity / g;
-      const double flow = (0.6 - capillary_pressure(network, model, front, now)) / (water + gas);
-      const ThroatFlows flows = throat_flows(network, model, now);
-      EXPECT_NEAR(flows.wetting[to_size(network.throats() - 1)] / flow, 1.0, 1e-3);
-      EXPECT_NEAR(flows.nonwetting[0] / flow, 1.0, 1e-3);
-      ++checked;
-      return true;
-    };
-    advance_two_phase(network, model, 1e9, {}, state, callbacks);
-    EXPECT_GT(checked, 10);
-    // Every volume of gas that came in has displaced as much water.
-    EXPECT_NEAR(state.boundary_inflow[0][1] / -state.boundary_inflow[1][0], 1.0, 1e-7);
+    const SeriesScene scene = series_scene(gas_viscosity);
+    EXPECT_GT(scene.checked, 10);
+    EXPECT_LT(scene.wetting_error, 1e-3);
+    EXPECT_LT(scene.nonwetting_error, 1e-3);
+    EXPECT_NEAR(scene.conserved, 0.0, 1e-7) << "gas that comes in displaces as much water";
   }
 }
 
 TEST(TwoPhaseChain, WaterStandsToTheHeightThatItsThroatsHold) {
-  // Drained from full, the water hangs on the throats: p_e = rho g h, less what the weight of the gas adds. Wetted from
-  // below it rises to p_1 = rho g h.
-  const int pores = 40;
-  PoreNetwork network = upright_chain(std::vector<double>(pores - 1, 6.0), 1e-3, 1.0);
-  Fluids fluids = unit_fluids();
-  fluids.wetting.density = 1.0;
-  fluids.nonwetting.density = 0.2;
-  TwoPhaseOptions options;
-  options.gravity = {0, 0, -0.25};
-  const TwoPhaseModel model = make_model(network, fluids, options, Schedule::constant(0.0));
-  ASSERT_LT(body_pressure(model, 5), 5.0);
-  const auto highest_full = [&](const TwoPhaseState& state) {
-    int i = 0;
-    while (state.nonwetting.holds[to_size(i)]) ++i;
-    return network.pore_centre[to_size(i)].z - network.pore_centre.back().z + 0.5;  // in the throat above it
-  };
-  const auto height = [&](double pressure) { return (pressure - 0.25 * 0.2 * (pores - 1)) / (0.25 * (1.0 - 0.2)); };
-  TwoPhaseState state = start_two_phase(network, model);
-  EXPECT_NEAR(state.wetting_pressure[10] - state.wetting_pressure[9], 0.25, 1e-12);
-  equilibrate_two_phase(network, model, {}, state);
-  EXPECT_NEAR(highest_full(state), height(6.0), 1.0);
-  for (int i = 25; i < pores - 1; ++i)
-    EXPECT_NEAR(state.wetting_pressure[to_size(i)], -0.25 * (network.pore_centre[to_size(i)].z - 1.0), 1e-6);
-
-  TwoPhaseState wetted = start_two_phase(network, model);
-  fill_with_gas(network, model, 0.05, 0.0, wetted);
-  equilibrate_two_phase(network, model, {}, wetted);
-  EXPECT_NEAR(highest_full(wetted), height(body_pressure(model, 5)), 1.0);
+  const RiseScene scene = rise_scene();
+  EXPECT_LT(scene.start_error, 1e-11);
+  EXPECT_NEAR(scene.drained, scene.drained_by_formula, 1.0);
+  EXPECT_NEAR(scene.wetted, scene.wetted_by_formula, 1.0);
+  EXPECT_GT(scene.drained, scene.wetted + 2.0);
+  EXPECT_LT(scene.hydrostatic_error, 4e-6);
 }
 
 TEST(TwoPhaseChain, TrappedGasKeepsItsVolume) {

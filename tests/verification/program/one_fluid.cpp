@@ -7,9 +7,8 @@
 #include <numbers>
 
 #include "csv.hpp"
-#include "puadem/base/random.hpp"
+#include "dense_packing.hpp"
 #include "puadem/dem/grain_statistics.hpp"
-#include "puadem/dem/packing.hpp"
 #include "puadem/flow/permeability.hpp"
 #include "puadem/geometry/cell.hpp"
 #include "puadem/geometry/facets.hpp"
@@ -38,22 +37,6 @@ double porosity_of(const Spheres& s) { return 1.0 - s.solid_volume() / s.domain.
 
 double kozeny_carman_of(const Spheres& s) { return kozeny_carman(porosity_of(s), statistics_of(s.radius).sauter_radius); }
 
-/// Grains of 0.8 to 1.2 mm, packed without friction at 10 kPa: as dense as a random packing gets.
-Spheres dense_packing(int count, const Vec3& shape, const std::array<bool, 3>& periodic, int seed) {
-  const Material grains{.name = "grains", .density = 2650, .youngs_modulus = 2e8, .poisson_ratio = 0.2};
-  PackingSource source;
-  source.grading.classes = {{0.8e-3, 1.2e-3, 1.0}};
-  source.count = count;
-  source.shape = shape;
-  source.periodic = periodic;
-  source.seed = static_cast<std::uint64_t>(seed);
-  CompactionOptions compaction;
-  compaction.friction_angle = 0.0;
-  compaction.unbalanced = 5e-3;
-  const Packing packing = make_packing(source, std::span(&grains, 1), {}, compaction);
-  return {packing.particles.position, packing.particles.radius, packing.domain};
-}
-
 double relative_error(double ours, double exact) { return std::abs(ours / exact - 1.0); }
 
 /// All throats of a packing with their domains.
@@ -70,25 +53,6 @@ void for_each_throat(const Spheres& s, const std::function<void(const ThroatSect
 }
 
 double total(const std::array<double, 3>& areas) { return areas[0] + areas[1] + areas[2]; }
-
-Spheres scaled(Spheres s, double by) {
-  for (Vec3& c : s.centre) c *= by;
-  for (double& r : s.radius) r *= by;
-  s.domain.lower *= by;
-  s.domain.upper *= by;
-  return s;
-}
-
-/// The same grains in another order.
-Spheres shuffled(Spheres s, std::uint64_t seed) {
-  Random random(seed);
-  for (std::size_t i = s.centre.size(); i > 1; --i) {
-    const auto j = std::min(i - 1, static_cast<std::size_t>(random.uniform() * static_cast<double>(i)));
-    std::swap(s.centre[i - 1], s.centre[j]);
-    std::swap(s.radius[i - 1], s.radius[j]);
-  }
-  return s;
-}
 
 /// Largest difference of two tensors over the mean permeability.
 double largest_difference(const Permeability& a, const Permeability& b) {

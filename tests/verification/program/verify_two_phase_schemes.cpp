@@ -1,0 +1,120 @@
+// Both schemes beside each other over the capillary number; pore units beside single tetrahedra.
+#include <cmath>
+#include <limits>
+
+#include "puadem/base/error.hpp"
+#include "two_phase_bed.hpp"
+
+namespace puadem::verification {
+
+namespace {
+
+struct Outcome {
+  TwoPhaseReport report;
+  double seconds = 0.0;  ///< processor time
+  bool is_complete = true;
+};
+
+/// One drainage until `watch.until` is left or time is up.
+Outcome drain(const Bed& bed, const TwoPhaseModel& model, double duration, Watch& watch) {
+  TwoPhaseState state = watch.start;
+  Outcome outcome;
+  const double begin = processor_seconds();
+  try {
+    outcome.report = advance_two_phase(bed.network, model, duration, {}, state, watch.callbacks());
+  } catch (const NumericalError& error) {  // the limit of steps
+    fmt::print(stderr, "{}\n", error.what());
+    outcome.is_complete = false;
+  }
+  outcome.seconds = processor_seconds() - begin;
+  return outcome;
+}
+
+void write_run(Csv& csv, Csv& curves, const char* drive, double value, const Watch& watch, const Outcome& outcome) {
+  const char* scheme = name_of(watch.model.options.scheme);
+  const char* gas = name_of(watch.model.options.gas);
+  csv.row(drive, value, scheme, gas, watch.bed.network.pores(), watch.steps, outcome.report.retries, outcome.report.solves,
+          outcome.seconds, watch.saturation, outcome.is_complete ? 1 : 0);
+  double last = 2.0;
+  for (const auto& [time, s] : watch.curve) {
+    if (std::abs(s - last) < 5e-4) continue;
+    curves.row(drive, value, scheme, gas, time / watch.model.time_scale, s);
+    last = s;
+  }
+}
+
+struct Kind {
+  TwoPhaseScheme scheme;
+  GasKind gas;
+};
+constexpr std::array<Kind, 3> kinds{{{TwoPhaseScheme::impes, GasKind::connected},
+                                     {TwoPhaseScheme::implicit, GasKind::connected},
+                                     {TwoPhaseScheme::implicit, GasKind::incompressible}}};
+
+}  // namespace
+
+void write_schemes(const std::filesystem::path& folder) {
+  LedgerFile ledger(folder, "schemes");
+  Csv csv(folder / "schemes.csv", "drive,value,scheme,gas,pores,steps,retries,solves,seconds,saturation,complete");
+  Csv curves(folder / "scheme_curves.csv", "drive,value,scheme,gas,time,saturation");
+  const Bed bed = make_bed(1000, 1);
+  for (const Kind& kind : kinds) {
+    TwoPhaseOptions options;
+    options.scheme = kind.scheme;
+    options.gas = kind.gas;
+    options.steps.step_limit = 200'000;
+    const auto run = [&](const char* drive, double value, const TwoPhaseModel& model, double until, double duration) {
+      Watch watch{bed, model, start_two_phase(bed.network, model)};
+      watch.until = until;
+      watch.keeps_curve = true;
+      const Outcome outcome = drain(bed, model, duration, watch);
+      write_run(csv, curves, drive, value, watch, outcome);
+      ledger.row(fmt::format("{} {}", drive, value), watch);
+      fmt::print("{} {} {} {}: {} steps, {:.1f} s, S = {:.4f}\n", drive, value, name_of(kind.scheme), name_of(kind.gas),
+                 watch.steps, outcome.seconds, watch.saturation);
+    };
+    for (const double capillary_number : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+      run("rate", capillary_number, driven_by_rate(bed, options, capillary_number), 0.4, 1e9);
+    for (const double suction : {20.0, 10.0, 7.0})
+      run("suction", suction, driven_by_suction(bed, options, bed.pressure(suction)), 0.1, 1e9);
+  }
+}
+
+void write_merging(const std::filesystem::path& folder) {
+  LedgerFile ledger(folder, "merging");
+  Csv csv(folder / "merging.csv", "seed,merge_ratio,pores,throats,run,steps,solves,seconds");
+  Csv curves(folder / "merging_curves.csv", "seed,merge_ratio,run,x,saturation");
+  for (int seed = 1; seed <= 3; ++seed)
+    for (const double ratio : {std::numeric_limits<double>::infinity(), 0.95, 0.9, 0.8}) {
+      NetworkOptions network_options;
+      network_options.merge_ratio = ratio;
+      const Bed bed = make_bed(1000, seed, network_options);
+      const auto write = [&](const char* run, const Watch& watch, const TwoPhaseReport& report, double seconds) {
+        csv.row(seed, ratio, bed.network.pores(), bed.network.throats(), run, watch.steps, report.solves, seconds);
+        ledger.row(fmt::format("packing {}, merge ratio {}, {}", seed, ratio, run), watch);
+      };
+      {
+        const TwoPhaseModel model = driven_by_suction(bed, {}, bed.pressure(10.0));
+        Watch watch{bed, model, start_two_phase(bed.network, model)};
+        watch.until = 0.1;
+        watch.keeps_curve = true;
+        const Outcome outcome = drain(bed, model, 1e9, watch);
+        write("at once", watch, outcome.report, outcome.seconds);
+        for (const auto& [time, s] : watch.curve) curves.row(seed, ratio, "at once", time, s);
+      }
+      TwoPhaseModel model = driven_by_suction(bed, {}, 0.0);
+      TwoPhaseState state = start_two_phase(bed.network, model);
+      Watch watch{bed, model, state};
+      TwoPhaseReport sum;
+      const double begin = processor_seconds();
+      for (double p = 3.0; p <= 12.0; p += 0.5) {
+        model.boundaries[1].schedule = Schedule::constant(-bed.pressure(p));
+        const TwoPhaseReport report = equilibrate_two_phase(bed.network, model, {}, state, watch.callbacks());
+        sum.solves += report.solves;
+        curves.row(seed, ratio, "at rest", p, watch.saturation);
+      }
+      write("at rest", watch, sum, processor_seconds() - begin);
+    }
+}
+
+}  // namespace puadem::verification
