@@ -63,6 +63,54 @@ TEST_P(SlowLimit, TrappingChangesTheMeansLittle) {
 
 INSTANTIATE_TEST_SUITE_P(Gas, SlowLimit, ::testing::Values(GasKind::connected, GasKind::incompressible));
 
+/// Gas of a chain from the top: a small pore, then a large one. In one jump of the pressure that would refill both, the small
+/// one fills first and cuts the other's gas off at the volume it has then.
+TEST(Refilling, GasBehindAFilledPoreKeepsItsVolume) {
+  PoreNetwork network = upright_chain({0.3, 0.6, 0.3}, 1.0);
+  network.pore_volume[2] *= 8.0;
+  network.pore_radius[2] *= 2.0;
+  TwoPhaseOptions options;
+  const CapillaryUnit small = {2.0 / network.pore_radius[1], 6}, large = {2.0 / network.pore_radius[2], 6};
+  TwoPhaseModel model = make_model(network, unit_fluids(), options, Schedule::constant(-3.0 * small.threshold));
+  TwoPhaseState state = start_two_phase(network, model);
+  equilibrate_two_phase(network, model, {}, state);
+  ASSERT_TRUE(state.nonwetting.holds[1] && state.nonwetting.holds[2]);
+  model.boundaries[1].schedule = Schedule::constant(-0.5 * large.threshold);
+  equilibrate_two_phase(network, model, {}, state);
+  EXPECT_FALSE(state.nonwetting.holds[1]);
+  ASSERT_TRUE(state.nonwetting.holds[2]);
+  EXPECT_FALSE(state.nonwetting.connected[2]);
+  const ExponentialRetention law;
+  const double gas = 1.0 - law.saturation(large, law.saturated_pressure(small));
+  EXPECT_NEAR(1.0 - saturation(network, state)[2], gas, 0.02 * gas);
+}
+
+/// Largest difference of the mean saturation from the quasi-static invasion when the wetting fluid comes back in large steps.
+double compare_imbibition(const PoreNetwork& network, int steps) {
+  TwoPhaseModel model = make_model(network, unit_fluids(), {}, Schedule::constant(0.0));
+  TwoPhaseState state = start_two_phase(network, model);
+  InvasionOptions rules;
+  rules.corner_films = true;
+  InvasionState invasion = start_invasion(network, unit_fluids(), rules);
+  const double highest = 0.4 * high_pressure(network, unit_fluids());
+  double worst = 0.0;
+  for (int k = -1; k <= steps; ++k) {
+    const double pressure = highest * std::min(1.0 - static_cast<double>(k) / steps, 1.0);
+    model.boundaries[1].schedule = Schedule::constant(-pressure);
+    equilibrate_two_phase(network, model, {}, state);
+    advance_to(network, pressure, invasion);
+    worst = std::max(worst, std::abs(totals(network, model, state).saturation - totals(network, invasion).saturation));
+  }
+  EXPECT_GT(totals(network, invasion).trapped_nonwetting, 0.1) << "nothing to compare";
+  return worst;
+}
+
+TEST(Refilling, FollowsTheOrderOfPressures) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    EXPECT_LT(compare_imbibition(with_conductance(random_network(300, seed)), 5), 0.05) << "seed " << seed;
+  }
+}
+
 struct Scheme {
   TwoPhaseScheme scheme;
   GasKind gas;

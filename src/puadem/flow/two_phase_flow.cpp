@@ -27,7 +27,21 @@ constexpr int idle_events = 3;
 /// Share of a given flow rate that may go missing: more means that its boundary is cut off.
 constexpr double lost_rate = 1e-6;
 
+/// Where gas would be cut off within a step to rest, boundaries move first by this share of what leads there, ...
+constexpr double stop_before = 0.9;
+/// ... but never by less than this.
+constexpr double least_share = 1e-3;
+
 bool gives_pressure(const FlowBoundary& boundary) { return boundary.kind == FlowBoundary::Kind::pressure; }
+
+/// Prescribed values on the way from the present ones to others.
+BoundaryValues between(const TwoPhaseState& state, const TwoPhaseModel& model, const BoundaryValues& to, double share) {
+  BoundaryValues values = to;
+  for (std::size_t b = 0; b < to.size(); ++b)
+    if (gives_pressure(model.boundaries[b]))
+      values[b] = state.boundary_pressure[b] + share * (to[b] - state.boundary_pressure[b]);
+  return values;
+}
 
 /// Books what crossed the boundaries and takes the trial's volumes and pressures over.
 void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step, std::span<const double> old_volume,
@@ -86,26 +100,34 @@ struct Stepper {
   std::vector<double> old_volume, volume;  ///< per pore, at the ends of the step [m3]
   std::span<const double> volume_rate;
 
-  TwoPhaseTrial attempt(double step, const BoundaryValues& values) {
+  TwoPhaseTrial attempt(double step, bool in_order, const BoundaryValues& values) {
     for (std::size_t p = 0; p < volume_rate.size(); ++p) volume[p] = old_volume[p] + step * volume_rate[p];
     const double most = front_change < 1.0 ? 2.0 * front_change : std::numeric_limits<double>::infinity();
-    TwoPhaseTrial trial = try_two_phase_step(network, model, step, most, old_volume, volume, values, state);
+    TwoPhaseTrial trial = try_two_phase_step(network, model, step, most, in_order, old_volume, volume, values, state);
     report.solves += trial.solves;
     report.seconds_assemble += trial.seconds_assemble;
     report.seconds_solve += trial.seconds_solve;
     return trial;
   }
 
-  /// One accepted step of at most `longest`; @return its length. `values(step)` gives the boundaries at its end.
+  /// One accepted step of at most `longest`; @return its length. `values(step, share)` gives the boundaries at its end; where
+  /// boundaries jump a share of the jump may be taken first, so that pores fill in the order of their pressures.
   template <class Values>
   double advance(double longest, const Values& values, long& events) {
     double step = std::min(state.time_step, longest);
     const double tried = step;
+    double share = 1.0;  // of what is given at the boundaries
     for (;;) {
-      const BoundaryValues at_end = values(step);
-      const TwoPhaseTrial trial = attempt(step, at_end);
+      const BoundaryValues at_end = values(step, share);
+      const bool in_order = front_change >= 1.0 && share > least_share;
+      const TwoPhaseTrial trial = attempt(step, in_order, at_end);
       const StepChange change = trial.change;
       const bool too_long = front_change < 1.0 && change.front > 2.0 * front_change;
+      if (trial.converged && in_order && trial.in_order < 1.0) {
+        share *= stop_before * trial.in_order;
+        ++report.retries;
+        continue;
+      }
       if (trial.converged && !too_long) {
         accept(network, model, step, old_volume, volume, at_end, trial, state);
         state.time += step;
@@ -211,7 +233,7 @@ TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel
     double until = end;
     for (const FlowBoundary& boundary : model.boundaries) until = std::min(until, boundary.schedule.next_corner(state.time));
     const double before = state.time;
-    const auto values = [&](double step) {
+    const auto values = [&](double step, double) {
       BoundaryValues v;
       for (const FlowBoundary& boundary : model.boundaries) v.push_back(boundary.schedule.just_before(before + step));
       return v;
@@ -234,9 +256,10 @@ TwoPhaseReport equilibrate_two_phase(const PoreNetwork& network, const TwoPhaseM
   for (int still = 0;;) {
     long events = 0;
     const double step = stepper.advance(
-        longest, [&](double) { return now; }, events);
+        longest, [&](double, double share) { return share < 1.0 ? between(state, model, now, share) : now; }, events);
     if (!stepper.goes_on()) break;
-    still = step >= longest && stepper.report.largest_change < rest.saturation_change ? still + 1 : 0;
+    const bool arrived = between(state, model, now, 0.0) == now;
+    still = arrived && step >= longest && stepper.report.largest_change < rest.saturation_change ? still + 1 : 0;
     if (still > 0 && (events == 0 || still == idle_events)) break;
   }
   return stepper.report;

@@ -184,10 +184,15 @@ void invade(Newton& n, const PoreInvasion& invasion) {
   if (!trial.nonwetting_clusters.passes[to_size(invasion.throat)]) open(invasion.throat, invasion.from);
 }
 
+void close_throat(Newton& n, int throat) {
+  set_open(n.network, n.model, throat, false, n.trial.wetting_clusters, n.trial.nonwetting_clusters);
+  set_conductance(n.network, n.model, n.trial.wetting_clusters, n.trial.nonwetting_clusters, 0.0, throat, n.throat);
+}
+
 }  // namespace
 
 TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step, double most_change,
-                                 std::span<const double> old_volume, std::span<const double> volume,
+                                 bool in_order, std::span<const double> old_volume, std::span<const double> volume,
                                  const BoundaryValues& boundary, const TwoPhaseState& state) {
   TwoPhaseTrial trial;
   const Clock assembling;
@@ -214,9 +219,15 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
     trial.change = change_of(n);
     if (!trial.converged || trial.change.front > most_change) return trial;
     const std::vector<PoreInvasion> invasions = next_invasions(network, model, state, trial);
-    if (invasions.empty() && exact) break;
-    exact = invasions.empty();
     for (const PoreInvasion& invasion : invasions) invade(n, invasion);
+    const bool was_exact = exact;
+    exact = invasions.empty();
+    if (!was_exact || !exact) continue;
+    const FillingsWithinStep fillings = fillings_within_step(network, model, state, trial);
+    trial.in_order = std::min(trial.in_order, fillings.in_order);
+    if (in_order && trial.in_order < 1.0) return trial;
+    if (fillings.closed_throats.empty()) break;
+    for (const int t : fillings.closed_throats) close_throat(n, t);
   }
   for (int i = 0; i < network.pores(); ++i) trial.expansion += gas_expansion(n, i);
   return trial;

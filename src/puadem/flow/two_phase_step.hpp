@@ -37,7 +37,8 @@ struct TwoPhaseTrial {
   int worst_pore = -1;    ///< the one that misses its local law most
   double mismatch = 0.0;  ///< by this share [-]
   StepChange change;
-  double expansion = 0.0;                               ///< of cut-off ideal gas in the step [m3]
+  double in_order = 1.0;   ///< share of the step after which its end says too little of its order [-]
+  double expansion = 0.0;  ///< of cut-off ideal gas in the step [m3]
   FluidClusters wetting_clusters, nonwetting_clusters;  ///< where the fluids stand, invasions of the step included
   std::vector<PoreInvasion> invasions;                  ///< in their order
   std::vector<double> wetting_volume;                   ///< [m3]
@@ -51,10 +52,11 @@ struct TwoPhaseTrial {
 using BoundaryValues = std::vector<double>;
 
 /// Tries a step: pressures, saturations and invaded pores at its end, conductances else those of its start. The state
-/// stays as it is. Where the change exceeds `most_change` the trial is left as soon as that is seen.
+/// stays as it is. Where the change exceeds `most_change` the trial is left as soon as that is seen, and where `in_order` is
+/// asked for, as soon as its end is seen to say too little of its order.
 /// @param volume  of each pore at the step's end [m3]; @param old_volume  at its start
 TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step, double most_change,
-                                 std::span<const double> old_volume, std::span<const double> volume,
+                                 bool in_order, std::span<const double> old_volume, std::span<const double> volume,
                                  const BoundaryValues& boundary, const TwoPhaseState& state);
 
 /// Amounts of cut-off ideal gas after a step: within each cluster they spread to one pressure...
@@ -68,5 +70,16 @@ void note_cut_off_gas(const PoreNetwork& network, const TwoPhaseModel& model, st
 /// first, together with whatever was passed at nearly the same time (theory 6.4).
 std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
                                          const TwoPhaseTrial& trial);
+
+/// Pores fill in the order in which their pressures fell below the lowest they can have with gas (theory 6.4).
+struct FillingsWithinStep {
+  /// What a filling cuts off loses its ways to the rest, also those through pores that had filled before. The gas of a filled
+  /// pore keeps its ways out to the step's end.
+  std::vector<int> closed_throats;
+  /// Share of the step after which gas is cut off that would have lost a good part of its volume before [-].
+  double in_order = 1.0;
+};
+FillingsWithinStep fillings_within_step(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
+                                        const TwoPhaseTrial& trial);
 
 }  // namespace puadem
