@@ -143,6 +143,11 @@ struct Stepper {
         note_cut_off_gas(network, model, was_connected, state);
         report.seconds_events += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         report.events += events;
+        if (events > 0 && !volume_rate.empty()) {
+          const std::string closed_off = closed_off_parts(network, model, volume_rate, state);
+          ensure(closed_off.empty(), "two-phase flow cannot go on at t = {:.6g} s (step {}): {}", state.time, state.steps,
+                 closed_off);
+        }
         std::swap(old_volume, volume);
         const double growth = model.options.steps.growth;
         const double factor =
@@ -226,6 +231,10 @@ TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel
   require(std::isfinite(duration) && duration >= 0.0, "two-phase flow cannot be followed for {} s", duration);
   require(volume_rate.empty() || size_of(volume_rate) == network.pores(), "{} volume rates are given for {} pores",
           volume_rate.size(), network.pores());
+  if (!volume_rate.empty()) {
+    const std::string closed_off = closed_off_parts(network, model, volume_rate, state);
+    require(closed_off.empty(), "two-phase flow cannot follow the grains: {}", closed_off);
+  }
   Stepper stepper = make_stepper(network, model, state, callbacks, model.options.steps.front_change);
   stepper.volume_rate = volume_rate;
   const double end = state.time + duration;

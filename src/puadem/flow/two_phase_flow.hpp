@@ -139,8 +139,12 @@ TwoPhaseState start_two_phase(const PoreNetwork& network, const TwoPhaseModel& m
 /// Follows the flow for a duration [s].
 ///
 /// @param volume_rate  dV_i/dt per pore [m3/s], from the network's volumes at the start of the call; may be empty
-/// @throws InputError      for volume rates where no fluid can give way
-/// @throws NumericalError  for a step that fails however short it is, with the pores that hold it up
+/// Under volume rates each pore must be able to pass on what it loses: its fluids reach a boundary with a pressure, directly or
+/// through neighbours and through the other fluid of a pore, or there is gas of one pressure or cut-off ideal gas that yields,
+/// or the rates of the part that is closed off sum to nothing. This is looked at before the first step and after events.
+/// @throws InputError      for volume rates of closed-off parts at the start, with their pores
+/// @throws NumericalError  for a part that an event has closed off; for a step that fails however short it is, with the pores
+///                         that hold it up
 TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, double duration,
                                  std::span<const double> volume_rate, TwoPhaseState& state,
                                  const TwoPhaseCallbacks& callbacks = {});

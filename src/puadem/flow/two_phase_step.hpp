@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "puadem/flow/two_phase_flow.hpp"
@@ -81,5 +82,10 @@ struct FillingsWithinStep {
 };
 FillingsWithinStep fillings_within_step(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
                                         const TwoPhaseTrial& trial);
+
+/// What cannot follow the change of its volume: parts from which no fluid reaches a boundary with a pressure and whose fluids
+/// do not yield, unless their rates sum to nothing. @return which and why; empty where all can
+std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& model, std::span<const double> volume_rate,
+                             const TwoPhaseState& state);
 
 }  // namespace puadem

@@ -1,0 +1,72 @@
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "puadem/base/disjoint_sets.hpp"
+#include "puadem/base/error.hpp"
+#include "puadem/flow/two_phase_step.hpp"
+#include "puadem/flow/two_phase_system.hpp"
+
+namespace puadem {
+
+namespace {
+
+/// Volume rates of a part sum to nothing up to this share of their magnitudes.
+constexpr double rounding = 1e-12;
+
+/// Parts within which volume can be passed on: fluids of neighbours through throats, and the two fluids of a pore. The wetting
+/// fluid of pore i is i, the other n + i.
+DisjointSets passing_parts(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state) {
+  const int n = network.pores();
+  DisjointSets parts(2 * n);
+  const TwoPhaseConductances k = two_phase_conductances(network, model, state);
+  for (int t = 0; t < network.throats(); ++t) {
+    const auto [i, j] = network.throat_pores[to_size(t)];
+    if (k.wetting[to_size(t)] > 0.0) parts.join(i, j);
+    if (k.nonwetting[to_size(t)] > 0.0) parts.join(n + i, n + j);
+  }
+  for (int i = 0; i < n; ++i)
+    if (model.is_counted(i) && state.wetting.holds[to_size(i)] && state.nonwetting.holds[to_size(i)]) parts.join(i, n + i);
+  for (const FlowBoundary& boundary : model.boundaries) {
+    const int shift = boundary.fluid == FluidPhase::wetting ? 0 : n;
+    for (const int i : boundary.pores) parts.join(shift + boundary.pores.front(), shift + i);
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& model, std::span<const double> volume_rate,
+                             const TwoPhaseState& state) {
+  const int n = network.pores();
+  DisjointSets parts = passing_parts(network, model, state);
+  std::vector<std::uint8_t> yields(to_size(2 * n));
+  for (const FlowBoundary& boundary : model.boundaries)
+    if (boundary.kind == FlowBoundary::Kind::pressure)
+      yields[to_size(parts.find((boundary.fluid == FluidPhase::wetting ? 0 : n) + boundary.pores.front()))] = 1;
+  const bool one_pressure = model.options.gas == GasKind::connected;
+  for (int i = 0; i < n; ++i)
+    if (state.nonwetting.holds[to_size(i)] && (one_pressure || state.gas_amount[to_size(i)] > 0.0))
+      yields[to_size(parts.find(n + i))] = 1;
+  std::vector<double> sum(to_size(2 * n)), magnitude(to_size(2 * n));
+  const auto part = [&](int i) { return to_size(parts.find(state.wetting.holds[to_size(i)] ? i : n + i)); };
+  for (int i = 0; i < n; ++i) {
+    if (!model.is_counted(i)) continue;
+    sum[part(i)] += volume_rate[to_size(i)];
+    magnitude[part(i)] += std::abs(volume_rate[to_size(i)]);
+  }
+  std::vector<int> stuck;
+  for (int i = 0; i < n; ++i)
+    if (model.is_counted(i) && !yields[part(i)] && std::abs(sum[part(i)]) > rounding * magnitude[part(i)]) stuck.push_back(i);
+  if (stuck.empty()) return {};
+  constexpr std::size_t named = 8;
+  const auto first = std::span(stuck).first(std::min(stuck.size(), named));
+  return fmt::format(
+      "{} {}{} can pass no fluid to a boundary, and the fluids there do not yield, but the volume changes by {:.4g} m3/s in the "
+      "part of pore {}",
+      stuck.size() == 1 ? "pore" : "pores", fmt::join(first, ", "),
+      stuck.size() > named ? fmt::format(" and {} more", stuck.size() - named) : "", sum[part(stuck.front())], stuck.front());
+}
+
+}  // namespace puadem
