@@ -34,15 +34,15 @@ const swatch = (colour, text) => element("span", { class: "key" }, element("i", 
 function patterns(flow, count) {
   const [scale, unit] = timeScale(flow.time);
   const pictures = flow.snapshots.map((snapshot) => {
-    const canvas = element("canvas", { role: "img", "aria-label": `saturation in the section at S = ${number(snapshot.saturation, 3)}` });
+    const canvas = element("canvas", { role: "img", "aria-label": `saturation at S = ${number(snapshot.saturation, 3)}` });
     paint(canvas, flow.section, snapshot.picture);
     return element("div", {}, canvas, element("div", { class: "note" }, `S = ${number(snapshot.saturation, 3)}, t = ${number(snapshot.time * scale, 3)} ${unit}`));
   });
-  const { columns, rows, pixel, axis } = flow.section;
+  const { columns, rows, planes, pixel, axis } = flow.section;
+  const view = planes > 1 ? `Saturation seen through the bed along ${axis}: the mean of the void over each point` : `Saturation of the pores in the plane through the middle of the box, across ${axis}; void is shown in the colour of the pore it is nearest to`;
   return element("figure", { id: "patterns" }, element("div", { class: "figure-head" }, element("h3", {}, "Pattern"), swatch(air, "air"), swatch(water, "water"), swatch(grain, "grain")),
-    element("div", { class: "pictures" }, pictures),
-    caption(count, "a", `Saturation of the pores in the plane through the middle of the box, across ${axis}; ${number(columns * pixel * 1e3, 3)} mm × ${number(rows * pixel * 1e3, 3)} mm. `,
-      "Void is shown in the colour of the pore it is nearest to."));
+    element("div", { class: "pictures", style: `--columns: ${pictures.length === 4 || pictures.length > 6 ? 4 : 3}` }, pictures),
+    caption(count, "a", `${view}. ${number(columns * pixel * 1e3, 3)} mm × ${number(rows * pixel * 1e3, 3)} mm.`));
 }
 
 function curve(flow, count) {
@@ -81,7 +81,7 @@ function boxes(flow, count, letter) {
       const x = b.size.map((s) => s * 1e3);
       return [{ x, y: b.boxes, name: `${b.name}: D = ${number(b.dimension, 3)}`, mode: "markers", marker: { color: colours[k % 2], size: 8 }, hovertemplate: "%{x:.3~g} mm: %{y}<extra></extra>" },
         { x, y: fit, mode: "lines", line: { color: colours[k % 2], width: 1 }, showlegend: false, hoverinfo: "skip" }];
-    }), layout: layout(["Side of the boxes (mm)", log], ["Boxes", log], above) }),
+    }), layout: layout(["Side of the boxes (mm)", { ...log, dtick: "D2" }], ["Boxes", log], above) }),
     caption: caption(count, letter, "Boxes that hold part of the invaded region, seen across the bed, at breakthrough or else at the end; D is minus the slope of the line.") });
 }
 

@@ -54,7 +54,11 @@ json pictures_json(const ResultsFolder& folder, const std::string& stage) {
 json section_json(const ResultsFolder& folder) {
   if (!folder.section) return nullptr;
   const SectionMap& s = *folder.section;
-  return {{"columns", s.columns}, {"rows", s.rows}, {"pixel", s.pixel}, {"axis", std::string(1, "xyz"[s.axis])}};
+  return {{"columns", s.columns},
+          {"rows", s.rows},
+          {"planes", s.planes},
+          {"pixel", s.pixel},
+          {"axis", std::string(1, "xyz"[s.axis])}};
 }
 
 double void_volume(const State& state) {
@@ -143,7 +147,7 @@ std::vector<json> two_phase_highlights(const State& state, const RunResults* res
     if (const auto found = results->scalars.find(name + key); found != results->scalars.end())
       top.push_back({{"label", label}, {"value", fmt::format(fmt::runtime(form), found->second)}, {"note", note}});
   };
-  add("Ca", "_capillary_number", "when half of the water has gone", "{:.2e}");
+  add("Ca", "_capillary_number", "through the first boundary of the air, at half of the displacement", "{:.2e}");
   add("S at breakthrough", "_breakthrough_saturation", "air stands beside the water's reservoir", "{:.3f}");
   add("Box dimension", "_box_dimension", "of the region that is mostly invaded", "{:.2f}");
   if (top.size() < 2) add("S at the end", "_saturation_end", "of the stage", "{:.3f}");

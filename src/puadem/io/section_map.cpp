@@ -65,6 +65,13 @@ int least_power(const PoreNetwork& network, const PoreBins& bins, const Vec3& at
   return found;
 }
 
+constexpr int planes_of_thin_box = 8;
+
+/// Place of a plane along the axis [m].
+double plane_place(const SectionMap& map, const Domain& domain, int plane) {
+  return domain.lower[map.axis] + (plane + 0.5) / map.planes * domain.size()[map.axis];
+}
+
 /// Calls `visit(pixel)` for all pixels whose centres a grain covers in the plane.
 template <class Visit>
 void cover(const SectionMap& map, const Domain& domain, double plane, const Vec3& centre, double radius, const Visit& visit) {
@@ -90,25 +97,30 @@ SectionMap cut_section(const State& state, int columns) {
   SectionMap map;
   for (int a = 0; a < 3; ++a)
     if (size[a] < size[map.axis]) map.axis = a;
-  // Of a body that is not thin the upright plane shows more.
-  if (!is_thin(domain)) map.axis = 0;
+  map.planes = planes_of_thin_box;
+  if (!is_thin(domain)) {  // the upright plane shows more
+    map.axis = 0;
+    map.planes = 1;
+  }
   const int across = (map.axis + 1) % 3, along = (map.axis + 2) % 3;
   map.pixel = std::max(size[across], size[along]) / columns;
   map.columns = std::max(1, static_cast<int>(std::lround(size[across] / map.pixel)));
   map.rows = std::max(1, static_cast<int>(std::lround(size[along] / map.pixel)));
-  const double plane = domain.lower[map.axis] + 0.5 * size[map.axis];
-  const PoreBins bins = make_bins(state.network, domain);
-  map.pore.assign(to_size(map.columns * map.rows), 0);
+  const int pixels = map.columns * map.rows;
+  map.pore.assign(to_size(pixels * map.planes), 0);
   const Particles& grains = state.particles;
-  for (int k = 0; k < grains.size(); ++k)
-    cover(map, domain, plane, grains.position[to_size(k)], grains.radius[to_size(k)],
-          [&](std::size_t pixel) { map.pore[pixel] = -1; });
+  for (int plane = 0; plane < map.planes; ++plane)
+    for (int k = 0; k < grains.size(); ++k)
+      cover(map, domain, plane_place(map, domain, plane), grains.position[to_size(k)], grains.radius[to_size(k)],
+            [&](std::size_t pixel) { map.pore[to_size(plane * pixels) + pixel] = -1; });
+  const PoreBins bins = make_bins(state.network, domain);
   parallel_for(size_of(map.pore), [&](int k) {
     if (map.pore[to_size(k)] < 0) return;
+    const int pixel = k % pixels;
     Vec3 at;
-    at[map.axis] = plane;
-    at[across] = domain.lower[across] + (k % map.columns + 0.5) * map.pixel;
-    at[along] = domain.lower[along] + (k / map.columns + 0.5) * map.pixel;
+    at[map.axis] = plane_place(map, domain, k / pixels);
+    at[across] = domain.lower[across] + (pixel % map.columns + 0.5) * map.pixel;
+    at[along] = domain.lower[along] + (pixel / map.columns + 0.5) * map.pixel;
     map.pore[to_size(k)] = least_power(state.network, bins, at);
   });
   return map;
@@ -116,13 +128,20 @@ SectionMap cut_section(const State& state, int columns) {
 
 std::string section_picture(const SectionMap& map, const std::vector<double>& saturation) {
   constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto byte = [&](std::size_t k) -> unsigned {
-    const int pore = map.pore[k];
-    return pore < 0 ? 255u : static_cast<unsigned>(std::lround(254.0 * saturation[to_size(pore)]));
+  const std::size_t pixels = map.pore.size() / to_size(map.planes);
+  const auto byte = [&](std::size_t pixel) -> unsigned {
+    double sum = 0.0;
+    int in_void = 0;
+    for (std::size_t k = pixel; k < map.pore.size(); k += pixels) {
+      if (map.pore[k] < 0) continue;
+      sum += saturation[to_size(map.pore[k])];
+      ++in_void;
+    }
+    return in_void == 0 ? 255u : static_cast<unsigned>(std::lround(254.0 * sum / in_void));
   };
   std::string text;
-  for (std::size_t k = 0; k < map.pore.size(); k += 3) {
-    const std::size_t left = std::min<std::size_t>(3, map.pore.size() - k);
+  for (std::size_t k = 0; k < pixels; k += 3) {
+    const std::size_t left = std::min<std::size_t>(3, pixels - k);
     const unsigned word = byte(k) << 16 | (left > 1 ? byte(k + 1) << 8 : 0u) | (left > 2 ? byte(k + 2) : 0u);
     text += digits[word >> 18];
     text += digits[word >> 12 & 63];
