@@ -3,7 +3,7 @@ import { element, number } from "./dom.js";
 import { choice, figure, layout } from "./figure.js";
 
 const blue = "#1f5fa8", red = "#d1561b", teal = "#168a83", ink = "#1a2330";
-const log = { type: "log", dtick: 1, exponentformat: "power" };
+const log = { type: "log", tickvals: [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000] };
 const caption = (count, letter, ...text) => element("figcaption", {}, element("b", {}, `Figure ${count}${letter}. `), ...text);
 const above = { legend: { ...layout([""], [""]).legend, orientation: "h", x: 0, y: 1.02, xanchor: "left", yanchor: "bottom" }, margin: { l: 66, r: 12, t: 42, b: 48 } };
 
@@ -13,8 +13,9 @@ function timeScale(times) {
   return last >= 1 ? [1, "s"] : last >= 1e-3 ? [1e3, "ms"] : [1e6, "µs"];
 }
 
-// Colours of a pixel: 255 is grain; else 254 times the saturation, from orange (air) to blue (water).
-const air = [243, 156, 44], water = [31, 95, 168], grain = [238, 241, 244];
+// Colours of a pixel: 255 is grain; else 254 times the saturation, from orange (air) over sand to blue (water).
+const air = [243, 156, 44], half = [214, 205, 170], water = [31, 95, 168], grain = [245, 247, 249];
+const colour = (s, c) => (s < 0.5 ? air[c] + 2 * s * (half[c] - air[c]) : half[c] + (2 * s - 1) * (water[c] - half[c]));
 function paint(canvas, { columns, rows }, picture) {
   const bytes = Uint8Array.from(atob(picture), (c) => c.charCodeAt(0));
   canvas.width = columns;
@@ -23,7 +24,7 @@ function paint(canvas, { columns, rows }, picture) {
   for (let row = 0; row < rows; ++row)
     for (let column = 0; column < columns; ++column) {
       const byte = bytes[row * columns + column], at = 4 * ((rows - 1 - row) * columns + column);
-      for (let c = 0; c < 3; ++c) image.data[at + c] = byte === 255 ? grain[c] : air[c] + (water[c] - air[c]) * (byte / 254);
+      for (let c = 0; c < 3; ++c) image.data[at + c] = byte === 255 ? grain[c] : colour(byte / 254, c);
       image.data[at + 3] = 255;
     }
   context.putImageData(image, 0, 0);
@@ -81,7 +82,7 @@ function boxes(flow, count, letter) {
       const x = b.size.map((s) => s * 1e3);
       return [{ x, y: b.boxes, name: `${b.name}: D = ${number(b.dimension, 3)}`, mode: "markers", marker: { color: colours[k % 2], size: 8 }, hovertemplate: "%{x:.3~g} mm: %{y}<extra></extra>" },
         { x, y: fit, mode: "lines", line: { color: colours[k % 2], width: 1 }, showlegend: false, hoverinfo: "skip" }];
-    }), layout: layout(["Side of the boxes (mm)", { ...log, dtick: "D2" }], ["Boxes", log], above) }),
+    }), layout: layout(["Side of the boxes (mm)", log], ["Boxes", log], above) }),
     caption: caption(count, letter, "Boxes that hold part of the invaded region, seen across the bed, at breakthrough or else at the end; D is minus the slope of the line.") });
 }
 
