@@ -27,12 +27,13 @@ bench:
 	@tools/install_dependencies --bench
 	@bench/run
 
-# docs/validation.md anew: the drainage study, networks and one fluid. BALLS=FOLDER: where finney_packing_4021.csv lies.
+# docs/validation.md anew: the drainage study, networks, one fluid, two fluids that move. BALLS=FOLDER: where finney_packing_4021.csv lies.
 validate: build
 	@tools/install_dependencies --docs
-	@cmake --build build/release --parallel $(jobs) --target verify_network
+	@cmake --build build/release --parallel $(jobs) --target verify_network --target verify_two_phase
 	@tools/validate $(puadem)
 	@tools/verify_network build/release/tests/verify_network $(if $(BALLS),--balls $(BALLS))
+	@tools/verify_two_phase build/release/tests/verify_two_phase $(puadem)
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
