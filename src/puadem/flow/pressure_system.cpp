@@ -8,6 +8,7 @@
 
 #include "puadem/base/error.hpp"
 #include "puadem/flow/cholesky_factor.hpp"
+#include "puadem/flow/incomplete_factor.hpp"
 #include "puadem/flow/multigrid.hpp"
 #include "puadem/flow/network_matrix.hpp"
 
@@ -18,6 +19,9 @@ namespace {
 double inner(std::span<const double> a, std::span<const double> b) {
   return parallel_sum<double>(size_of(a), [&](int i) { return a[to_size(i)] * b[to_size(i)]; });
 }
+
+/// More iterations with an incomplete factor than this cost more than the full one.
+constexpr int iterations_worth_while = 200;
 
 bool chooses_cholesky(const PressureSolverOptions& options, int unknowns) {
   using enum PressureSolverOptions::Method;
@@ -31,12 +35,16 @@ struct PressureSystem::Parts {
   NetworkMatrix matrix;
   std::optional<CholeskyFactor> factor;
   std::optional<Multigrid> multigrid;
+  std::optional<IncompleteFactor> incomplete;
+  bool factor_is_old = false;  ///< with an incomplete factor: the full one is of other numbers
   std::vector<double> residual, correction, direction, product;
 
   Parts(int unknowns, std::span<const std::array<int, 2>> links, const PressureSolverOptions& o)
       : options(o), matrix(unknowns, links), residual(to_size(unknowns)), correction(to_size(unknowns)) {
     if (unknowns == 0) return;
-    if (chooses_cholesky(o, unknowns)) {
+    if (o.method == PressureSolverOptions::Method::incomplete) {
+      incomplete.emplace(matrix);
+    } else if (chooses_cholesky(o, unknowns)) {
       factor.emplace(matrix);
     } else {
       multigrid.emplace(matrix);
@@ -58,6 +66,18 @@ struct PressureSystem::Parts {
       return terms * terms;
     });
     return 4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(squares);
+  }
+
+  void factorise_if_old() {
+    if (!factor_is_old) return;
+    if (!factor) factor.emplace(matrix);
+    factor->factorise(matrix);
+    factor_is_old = false;
+  }
+
+  /// Norm of the residual of a solution.
+  double allowed(std::span<const double> b, std::span<const double> p) const {
+    return std::max(options.tolerance * std::sqrt(inner(b, b)), rounding(b, p));
   }
 
   /// p = A^-1 b by the factor, corrected while rounding in the factor leaves more than rounding of the pressures does.
@@ -125,11 +145,16 @@ PressureSystem& PressureSystem::operator=(PressureSystem&&) noexcept = default;
 
 void PressureSystem::set(std::span<const double> conductance, std::span<const double> diagonal) {
   parts_->matrix.set(conductance, diagonal);
+  if (parts_->incomplete) {
+    parts_->incomplete->set_up(parts_->matrix);
+    parts_->factor_is_old = true;
+    return;
+  }
   if (parts_->factor) parts_->factor->factorise(parts_->matrix);
   if (parts_->multigrid) parts_->multigrid->set_up(parts_->matrix);
 }
 
-PressureSolveReport PressureSystem::solve(std::span<const double> right_hand_side, std::span<double> pressure) {
+PressureSolveReport PressureSystem::solve(std::span<const double> right_hand_side, std::span<double> pressure, double tolerance) {
   Parts& s = *parts_;
   assert(size_of(right_hand_side) == s.matrix.rows() && pressure.size() == right_hand_side.size());
   PressureSolveReport report;
@@ -138,14 +163,26 @@ PressureSolveReport PressureSystem::solve(std::span<const double> right_hand_sid
     std::ranges::fill(pressure, 0.0);
     return report;
   }
+  if (s.incomplete) {
+    const double asked = tolerance > 0.0 ? tolerance : s.options.tolerance;
+    report.iterations = s.incomplete->solve(right_hand_side, pressure, asked, iterations_worth_while);
+    // Less than the usual tolerance was asked for, or the usual one is kept by the equations, too.
+    if (report.iterations < iterations_worth_while) {
+      if (asked > s.options.tolerance) return report;
+      const double norm = s.find_residual(right_hand_side, pressure);
+      report.residual = norm / scale;
+      if (norm <= s.allowed(right_hand_side, pressure)) return report;
+    }
+    s.factorise_if_old();
+  }
   if (s.factor)
     s.solve_by_factor(right_hand_side, pressure);
   else
     report.iterations = s.iterate(right_hand_side, pressure);
   const double norm = s.find_residual(right_hand_side, pressure);
   report.residual = norm / scale;
-  const double allowed = std::max(s.options.tolerance * scale, s.rounding(right_hand_side, pressure));
-  ensure(s.factor ? norm <= allowed : std::isfinite(norm) && report.iterations < s.options.iteration_limit,
+  ensure(s.factor ? norm <= s.allowed(right_hand_side, pressure)
+                  : std::isfinite(norm) && report.iterations < s.options.iteration_limit,
          "the pressures of {} pores could not be found: residual {:.2e} of the right-hand side after {} iterations, tolerance "
          "{:.0e}",
          s.matrix.rows(), report.residual, report.iterations, s.options.tolerance);

@@ -11,9 +11,10 @@ namespace puadem {
 /// How pressure systems are solved.
 struct PressureSolverOptions {
   enum class Method : std::uint8_t {
-    automatic,  ///< cholesky up to `cholesky_limit` unknowns, multigrid above
-    cholesky,   ///< factorised once (CHOLMOD), each further right-hand side is cheap
-    multigrid,  ///< conjugate gradients preconditioned by algebraic multigrid (hypre's BoomerAMG)
+    automatic,   ///< cholesky up to `cholesky_limit` unknowns, multigrid above
+    cholesky,    ///< factorised once (CHOLMOD), each further right-hand side is cheap
+    multigrid,   ///< conjugate gradients preconditioned by algebraic multigrid (hypre's BoomerAMG)
+    incomplete,  ///< the same by an incomplete factor, for numbers that change with each solve; the full one where it is slow
   };
   Method method = Method::automatic;
   int cholesky_limit = 30000;
@@ -49,9 +50,10 @@ class PressureSystem {
   void set(std::span<const double> conductance, std::span<const double> diagonal);
 
   /// Solves for one right-hand side.
-  /// @param pressure  in: where iterations start, such as the last solution; out: the solution
+  /// @param pressure   in: where iterations start, such as the last solution; out: the solution
+  /// @param tolerance  instead of that of the options, where less will do
   /// @throws NumericalError  where the residual stays above the tolerance and above what rounding leaves
-  PressureSolveReport solve(std::span<const double> right_hand_side, std::span<double> pressure);
+  PressureSolveReport solve(std::span<const double> right_hand_side, std::span<double> pressure, double tolerance = 0.0);
 
   int unknowns() const;
   bool is_factorised() const;  ///< solved by Cholesky factors

@@ -65,8 +65,8 @@ void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step,
     const double volume_in = in.value();
     ensure(gives_pressure(boundary) ||
                std::abs(volume_in - step * values[to_size(b)]) <= lost_rate * step * std::abs(values[to_size(b)]),
-           "boundary \"{}\" cannot pass {:.4g} m3/s at t = {:.6g} s (step {}): only {:.4g} m3/s of its fluid can be reached",
-           boundary.name, values[to_size(b)], state.time, state.steps, volume_in / step);
+           "boundary \"{}\" cannot pass {:.4g} m3/s at t = {:.6g} s (step {}): a share of {:.2g} is out of reach of its fluid",
+           boundary.name, values[to_size(b)], state.time, state.steps, 1.0 - volume_in / (step * values[to_size(b)]));
     state.boundary_inflow[to_size(b)][is_gas ? 1 : 0] += volume_in;
     state.ledger.book(is_gas ? 0.0 : volume_in, is_gas ? volume_in : 0.0);
     const int first = boundary.pores.front();

@@ -178,16 +178,17 @@ void start_newton(Newton& n) {
   }
 }
 
-void solve_newton(Newton& n) {
+void solve_newton(Newton& n, double tolerance) {
   const Clock assembling;
   find_residual(n);
   for (double& r : n.solver.residual) r = -r;
   assemble(n);
   n.trial.seconds_assemble += assembling.seconds();
   const Clock solving;
-  n.solver.system->set(n.solver.conductance, n.solver.diagonal);
+  PressureSystem& system = pressure_system(n.model, n.to_rest);
+  system.set(n.solver.conductance, n.solver.diagonal);
   std::ranges::fill(n.solver.increment, 0.0);
-  n.solver.system->solve(n.solver.residual, n.solver.increment);
+  system.solve(n.solver.residual, n.solver.increment, tolerance);
   ++n.trial.solves;
   n.trial.seconds_solve += solving.seconds();
   n.gas_misfit = 0.0;

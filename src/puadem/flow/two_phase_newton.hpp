@@ -21,6 +21,7 @@ struct Newton {
   const TwoPhaseState& state;
   TwoPhaseModel::Solver& solver;
   const double step;
+  const bool to_rest;  ///< pressures are to settle, whatever moves
   const std::span<const double> old_volume, volume;
   const BoundaryValues& boundary;
   TwoPhaseConductances throat;
@@ -49,7 +50,8 @@ void start_newton(Newton& n);
 void set_capacitor(Newton& n, int pore);
 
 /// New potentials from the equations made linear at the present point, and the volumes these predict.
-void solve_newton(Newton& n);
+/// @param tolerance  of the linear solver; 0: its own
+void solve_newton(Newton& n, double tolerance);
 
 /// By how much the cut-off ideal gas of a pore has grown against the start, at its pressure so far [m3].
 double gas_expansion(const Newton& n, int pore);

@@ -23,6 +23,9 @@ constexpr double gas_accuracy = 1e-12;
 constexpr double steep = 2.0;
 /// Tolerance of the iterations while gas still finds pores to enter; the last are exact.
 constexpr double rough = 1e-2;
+/// Tolerances of the linear solver in rough and in exact iterations. They are of all pressures together, in the norm of the
+/// power they dissipate: corner films, which conduct less by many orders, need the more.
+constexpr double rough_linear = 1e-7, exact_linear = 1e-14;
 
 constexpr double not_yet = 1.0, never = std::numeric_limits<double>::infinity();
 
@@ -104,7 +107,7 @@ bool iterate(Newton& n, double tolerance) {
     for (int i = 0; i < n.network.pores(); ++i)
       if (n.has_capacitor(i)) set_capacitor(n, i);
     try {
-      solve_newton(n);
+      solve_newton(n, tolerance > n.model.options.steps.tolerance ? rough_linear : exact_linear);
     } catch (const NumericalError&) {
       break;  // a rate that the fluid within reach cannot meet has no solution: the step fails
     }
@@ -196,19 +199,13 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
                                  const BoundaryValues& boundary, const TwoPhaseState& state) {
   TwoPhaseTrial trial;
   const Clock assembling;
-  Newton n{network,
-           model,
-           state,
-           *model.solver,
-           step,
-           old_volume,
-           volume,
-           boundary,
-           two_phase_conductances(network, model, state),
-           trial,
-           {},
-           {},
-           {}};
+  Newton n{network,    model,
+           state,      *model.solver,
+           step,       !std::isfinite(most_change),
+           old_volume, volume,
+           boundary,   two_phase_conductances(network, model, state),
+           trial,      {},
+           {},         {}};
   start_newton(n);
   trial.seconds_assemble += assembling.seconds();
   const double tolerance = model.options.steps.tolerance;

@@ -59,8 +59,17 @@ std::shared_ptr<TwoPhaseModel::Solver> make_two_phase_solver(const PoreNetwork& 
   }
   solver->conductance.resize(solver->link.size());
   for (auto* v : {&solver->diagonal, &solver->residual, &solver->increment}) v->resize(to_size(solver->unknowns));
-  solver->system.emplace(solver->unknowns, solver->link, model.options.solver);
   return solver;
+}
+
+PressureSystem& pressure_system(const TwoPhaseModel& model, bool to_rest) {
+  using Method = PressureSolverOptions::Method;
+  TwoPhaseModel::Solver& solver = *model.solver;
+  std::optional<PressureSystem>& system = to_rest ? solver.to_rest : solver.in_time;
+  if (system) return *system;
+  PressureSolverOptions options = model.options.solver;
+  if (options.method == Method::automatic && !to_rest) options.method = Method::incomplete;
+  return system.emplace(solver.unknowns, solver.link, options);
 }
 
 void set_conductance(const PoreNetwork& network, const TwoPhaseModel& model, const FluidClusters& wetting,

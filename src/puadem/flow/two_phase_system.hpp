@@ -19,8 +19,14 @@ struct TwoPhaseModel::Solver {
   std::vector<std::array<int, 2>> link;
   std::vector<double> conductance, diagonal, residual, increment;  ///< numbers of one solve
   int unknowns = 0;
-  std::optional<PressureSystem> system;
+  /// The same system for steps in time and for steps to rest, made when first needed. In time its numbers change with every
+  /// solve and the pores' capacitors dominate, which suits conjugate gradients; steps to rest leave nothing but the throats, over
+  /// many orders of magnitude, and take the method of the one-fluid solver.
+  std::optional<PressureSystem> in_time, to_rest;
 };
+
+/// The system for steps to rest or in time.
+PressureSystem& pressure_system(const TwoPhaseModel& model, bool to_rest);
 
 /// Sets the pattern up for a model whose boundaries and reservoirs are known.
 std::shared_ptr<TwoPhaseModel::Solver> make_two_phase_solver(const PoreNetwork& network, const TwoPhaseModel& model);
