@@ -111,6 +111,29 @@ TEST(Refilling, FollowsTheOrderOfPressures) {
   }
 }
 
+/// Gas may enter a pore within a step and be pressed out of it before its end: none of it stays, cut off and without a volume.
+TEST(Refilling, GasThatCameAndWentWithinAStepLeavesNothingBehind) {
+  const PoreNetwork network = with_conductance(random_network(300, 7));
+  const TwoPhaseModel model =
+      make_model(network, unit_fluids(), {}, Schedule::constant(-0.4 * high_pressure(network, unit_fluids())));
+  TwoPhaseState state = start_two_phase(network, model);
+  double least = 1.0;
+  int cut_off = 0;
+  TwoPhaseCallbacks callbacks;
+  callbacks.on_step = [&](const TwoPhaseState& now) {
+    for (int i = 0; i < network.pores(); ++i) {
+      const std::size_t p = to_size(i);
+      if (!now.nonwetting.holds[p] || now.nonwetting.connected[p]) continue;
+      ++cut_off;
+      least = std::min(least, 1.0 - now.wetting_volume[p] / network.pore_volume[p]);
+    }
+    return true;
+  };
+  advance_two_phase(network, model, 20.0 * model.time_scale, {}, state, callbacks);
+  EXPECT_GT(cut_off, 0);
+  EXPECT_GT(least, 1e-9);
+}
+
 struct Scheme {
   TwoPhaseScheme scheme;
   GasKind gas;

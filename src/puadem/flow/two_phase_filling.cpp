@@ -48,18 +48,21 @@ Csr take_out(const PoreLinks& links, int pore, FluidClusters& gas, ClusterSearch
   return cut_off(links, around, gas, search);
 }
 
-/// Share of its gas that a cluster would have lost by the time it is cut off.
-double lost_before(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state, double pressure_drop,
-                   std::span<const int> cluster) {
-  double gas = 0.0, lost = 0.0;
+/// Gas of a cluster at the step's start, and what of it the cluster would have lost by the time it is cut off [m3].
+struct ClusterGas {
+  double volume = 0.0, lost = 0.0;
+};
+ClusterGas gas_of(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state, double pressure_drop,
+                  std::span<const int> cluster) {
+  ClusterGas gas;
   for (const int i : cluster) {
     if (!state.nonwetting.holds[to_size(i)]) continue;
     const double volume = network.pore_volume[to_size(i)], water = state.wetting_volume[to_size(i)];
     const double pressure = capillary_pressure(network, model, i, state) - pressure_drop;
-    gas += volume - water;
-    lost += (pressure > local_pressure(model, i, 1.0) ? local_saturation(model, i, pressure) : 1.0) * volume - water;
+    gas.volume += volume - water;
+    gas.lost += (pressure > local_pressure(model, i, 1.0) ? local_saturation(model, i, pressure) : 1.0) * volume - water;
   }
-  return gas > 0.0 ? lost / gas : 0.0;
+  return gas;
 }
 
 }  // namespace
@@ -77,10 +80,11 @@ FillingsWithinStep fillings_within_step(const PoreNetwork& network, const TwoPha
     if (!gas.connected[to_size(filling.pore)]) continue;
     const Csr lost = take_out(model.links, filling.pore, gas, search);
     for (int row = 0; row < lost.rows(); ++row) {
+      const ClusterGas held = gas_of(network, model, state, filling.drop, lost[row]);
+      if (held.volume <= 0.0) continue;  // entered within the step, and left again
       any = true;
       for (const int pore : lost[row]) ways.holds[to_size(pore)] = 0;
-      if (result.in_order == 1.0 && lost_before(network, model, state, filling.drop, lost[row]) > gas_error)
-        result.in_order = filling.crossing;
+      if (result.in_order == 1.0 && held.lost > gas_error * held.volume) result.in_order = filling.crossing;
     }
   }
   if (!any) return result;
