@@ -16,8 +16,12 @@ using namespace puadem;
 
 namespace {
 
-/// One run; @return its processor seconds.
-double run(const ShakenBed& bed, const TwoPhaseOptions& options) {
+struct Cost {
+  double grains, seconds, steps;
+};
+
+/// One run.
+Cost run(const ShakenBed& bed, const TwoPhaseOptions& options) {
   constexpr double suction = 2000.0, left = 0.126;
   const PoreNetwork network = build_pore_network(bed.centre, bed.radius, bed.box, {});
   const double begin = processor_seconds();
@@ -45,7 +49,7 @@ double run(const ShakenBed& bed, const TwoPhaseOptions& options) {
               1e3 * seconds / static_cast<double>(report.solves), 100 * report.seconds_assemble / wall,
               100 * report.seconds_solve / wall, 100 * report.seconds_events / wall);
   std::fflush(stdout);
-  return seconds;
+  return {static_cast<double>(bed.radius.size()), seconds, n};
 }
 
 }  // namespace
@@ -58,14 +62,15 @@ int main(int argc, char** argv) {
   std::printf(
       " grains   pores  start      S  steps retry  solves invasions st/inv       s ms/step ms/solve  assemble/solve/events %%\n");
   const int most = argc > 3 ? std::atoi(argv[3]) : 10000;
-  std::optional<double> last_seconds;
-  double last_size = 0.0;
-  for (const int grains : {1000, 2000, 10000}) {
+  std::optional<Cost> last;
+  for (const int grains : {1000, 2000, 4000, 10000}) {
     if (grains > most) break;
-    const double seconds = run(make_shaken_bed(grains, false), options);
-    if (last_seconds)
-      std::printf("        exponent of the whole cost: %.2f\n", std::log(seconds / *last_seconds) / std::log(grains / last_size));
-    last_seconds = seconds;
-    last_size = grains;
+    const Cost cost = run(make_shaken_bed(grains, false), options);
+    const auto exponent = [&](double ratio) { return std::log(ratio) / std::log(cost.grains / last->grains); };
+    if (last)
+      std::printf("        grows with the grains to the power of %.2f: steps %.2f, cost per step %.2f\n",
+                  exponent(cost.seconds / last->seconds), exponent(cost.steps / last->steps),
+                  exponent(cost.seconds / last->seconds * last->steps / cost.steps));
+    last = cost;
   }
 }
