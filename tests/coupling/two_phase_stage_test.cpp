@@ -71,6 +71,29 @@ TEST(TwoPhaseStage, FollowsAPathToRestAtEveryPressure) {
   EXPECT_EQ(results.scalars.at("two-phase-flow_saturation_end"), rows.back().saturation);
 }
 
+TEST(TwoPhaseStage, RefillsWithSnapOffAndWithIdealGas) {
+  TwoPhaseStage stage = from_the_top();
+  stage.path = {1500.0, 3500.0, 500.0};
+  const auto last_row = [&](bool snap_off, GasKind gas, double reference_pressure) {
+    stage.options.snap_off = snap_off;
+    stage.options.gas = gas;
+    stage.options.reference_pressure = reference_pressure;
+    State state = thin_bed();
+    const RunResults results = run(flow_case(stage), state, {});
+    EXPECT_LT(std::abs(results.ledger.wetting_error()), 1e-9);
+    EXPECT_LT(std::abs(results.ledger.nonwetting_error()), 1e-9);
+    return state.flows[0].rows.back();
+  };
+  const FlowRow plain = last_row(false, GasKind::incompressible, 101325.0);
+  const FlowRow snapped = last_row(true, GasKind::incompressible, 101325.0);
+  EXPECT_GT(snapped.trapped_nonwetting, plain.trapped_nonwetting + 0.02);
+  EXPECT_LT(snapped.saturation, plain.saturation);
+  // Air that is cut off at some 2 kPa of suction comes to some 2 kPa more pressure: it shrinks by that over its own.
+  const FlowRow thin_air = last_row(true, GasKind::ideal, 10000.0);
+  EXPECT_LT(thin_air.trapped_nonwetting, 0.99 * snapped.trapped_nonwetting);
+  EXPECT_GT(thin_air.trapped_nonwetting, 0.6 * snapped.trapped_nonwetting);
+}
+
 TEST(TwoPhaseStage, VolumesThroughTheBordersExplainTheSaturation) {
   State state = thin_bed();
   run(flow_case(from_the_top()), state, {});
