@@ -4,6 +4,7 @@ import { element, label, number, table } from "./dom.js";
 import { loadingSections } from "./loading.js";
 import { permeabilitySection } from "./permeability.js";
 import { fitTable, loopTable, retentionFigure } from "./retention.js";
+import { saturatedFigures } from "./saturated.js";
 import { flowSection } from "./two_phase.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -90,6 +91,11 @@ function build() {
     const { pictures, figures: drawn } = flowSection(flow, next++);
     figures.push(...drawn);
     page.append(section(data.flows.length > 1 ? `Two-phase flow, ${flow.name}` : "Two-phase flow", pictures, grid("pair", drawn.map((f) => f.node))));
+  }
+  for (const stage of data.saturated) {
+    const drawn = saturatedFigures(stage, next++);
+    figures.push(...drawn);
+    page.append(section(data.saturated.length > 1 ? `Fluid and grains, ${stage.name}` : "Fluid and grains", grid("pair", drawn.map((f) => f.node))));
   }
   if (runs.some((run) => run.pore.low.length > 0)) {
     const pair = distributionFigures(runs, next);

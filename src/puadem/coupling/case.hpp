@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "puadem/coupling/saturated_stage.hpp"
 #include "puadem/coupling/two_phase_stage.hpp"
 #include "puadem/dem/contact_law.hpp"
 #include "puadem/dem/material.hpp"
@@ -131,16 +132,20 @@ struct PermeabilityStage {
 };
 
 using Stage = std::variant<CompactStage, IsotropicStage, OedometerStage, TriaxialStage, ShearStage, SettleStage, StrainStage,
-                           PermeabilityStage, RetentionStage, TwoPhaseStage>;
+                           PermeabilityStage, RetentionStage, TwoPhaseStage, SaturatedStage>;
 
 /// Does this stage put fluid into the pores of grains that stand? It then needs a network, made or from a file.
 template <class S>
 inline constexpr bool is_flowing =
     std::is_same_v<S, PermeabilityStage> || std::is_same_v<S, RetentionStage> || std::is_same_v<S, TwoPhaseStage>;
 
+/// Do grains and fluid move each other in this stage? It needs grains, and makes its network from them.
+template <class S>
+inline constexpr bool is_coupled = std::is_same_v<S, SaturatedStage>;
+
 /// Does this stage load the grains that another one, or a file, has made?
 template <class S>
-inline constexpr bool is_loading = !std::is_same_v<S, CompactStage> && !is_flowing<S>;
+inline constexpr bool is_loading = !std::is_same_v<S, CompactStage> && !is_flowing<S> && !is_coupled<S>;
 
 inline std::string_view kind_of(const Stage& stage) {
   return std::visit([](const auto& s) { return std::decay_t<decltype(s)>::kind; }, stage);
@@ -148,6 +153,10 @@ inline std::string_view kind_of(const Stage& stage) {
 
 inline bool puts_fluid(const Stage& stage) {
   return std::visit([](const auto& s) { return is_flowing<std::decay_t<decltype(s)>>; }, stage);
+}
+
+inline bool couples(const Stage& stage) {
+  return std::visit([](const auto& s) { return is_coupled<std::decay_t<decltype(s)>>; }, stage);
 }
 
 /// How grains are moved, in every stage.

@@ -17,6 +17,7 @@ void forget_pores(State& state) {
   state.network = {};
   state.invasion.reset();
   state.flow.reset();
+  state.saturated.reset();
   state.saturation.clear();
 }
 
@@ -44,6 +45,8 @@ RunResults run(const Case& c, State& state, const Observer& observer) {
       forget_pores(state);
       if (const auto* compact = std::get_if<CompactStage>(&stage))
         run_compact_stage(c, *compact, state, observer, results);
+      else if (std::holds_alternative<SaturatedStage>(stage))
+        run_saturated_stage(c, index, state, observer, results);
       else
         run_loading_stage(c, index, state, observer, results);
       is_seen = !is_followed_by_network(c, index);

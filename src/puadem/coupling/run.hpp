@@ -37,6 +37,9 @@ struct Observer {
   std::function<void(const State&, const TwoPhaseModel&, const FlowRow&)> flow;            ///< a row of two fluids that move
   std::function<void(const State&, const TwoPhaseModel&, double saturation)> flow_fields;  ///< a state worth its fields
   std::function<void(const State&, const TwoPhaseEvent&)> flow_event;
+  std::function<void(const State&, const SaturatedRow&)> saturated;  ///< a row of a stage "saturated-flow"
+  std::function<void(const State&, const SaturatedRecord&)>
+      saturated_fields;  ///< a state worth its fields; its profile is the last
 };
 
 /// Fluid volumes that a stage moved, summed event by event, against what the state holds.

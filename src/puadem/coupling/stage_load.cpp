@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/loading_program.hpp"
 #include "puadem/coupling/loading_results.hpp"
+#include "puadem/coupling/ready_grains.hpp"
 #include "puadem/coupling/stages.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/time_step.hpp"
@@ -35,45 +35,6 @@ struct Loading {
   long first_step = 0;
   long last_row_step = -1;
 };
-
-LoadingScale scale_of(const Case& c, const GrainSystem& s, const Particles& particles, const GrainMeasures& m) {
-  LoadingScale scale;
-  double mass = 0.0, volume = 0.0;
-  for (int k = 0; k < particles.size(); ++k) {
-    const double r = particles.radius[to_size(k)];
-    scale.diameter += 2.0 * r / particles.size();
-    mass += particles.mass[to_size(k)];
-    volume += 4.0 / 3.0 * std::numbers::pi * r * r * r;
-    scale.youngs_modulus = std::max(scale.youngs_modulus, c.materials[to_size(particles.material[to_size(k)])].youngs_modulus);
-  }
-  scale.density = mass / volume;
-  scale.size = s.domain.size();
-  scale.stress = axis_stress(s, m);
-  return scale;
-}
-
-/// The engine with the options of the stage, box and walls at rest; started from the particles where no stage
-/// has left one.
-GrainSystem& ready_system(const Case& c, State& state, const Observer& observer) {
-  require(state.particles.size() > 0,
-          "a stage that loads the grains needs some: put a stage \"compact\" before it or name a packing file in grains.file");
-  if (!state.grains) {
-    state.grains = make_grain_system(state.particles, state.domain, c.materials, c.contact, {});
-    if (observer.message) observer.message("contacts begin without shear: the packing knows nothing of their history");
-  }
-  GrainSystem& s = *state.grains;
-  s.pairs = material_pairs(c.materials, c.contact);
-  set_box_rate(s, {});
-  for (Wall& wall : s.walls) {
-    wall.target.reset();
-    wall.slide = wall.velocity = wall.last_velocity = {};
-    wall.friction = c.contact.wall_friction;
-  }
-  s.motion.gravity = c.motion.gravity;
-  s.motion.safety = c.motion.safety;
-  evaluate_forces(s);
-  return s;
-}
 
 void keep_in_step(Loading& l) {
   collect(l.system, l.state.particles);
@@ -238,10 +199,10 @@ void tell_end(const Loading& l, const Stage& stage) {
 }  // namespace
 
 void run_loading_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results) {
-  GrainSystem& s = ready_system(c, state, observer);
+  GrainSystem& s = ready_grains(c, state, observer);
   const GrainMeasures m = measure(s);
   const Stage& stage = c.stages[to_size(index)];
-  const LoadingProgram program = program_of(stage, c, scale_of(c, s, state.particles, m));
+  const LoadingProgram program = program_of(stage, c, loading_scale(c, s, state.particles, m));
   Loading l{c, program, state, observer, stage_name(c, index), kind_of(stage), s, {}, 0.0, 0.0, {}, {}, s.steps, -1};
   if (observer.message && program.inertial_number > quasi_static_inertial_number)
     observer.message(fmt::format("warning: stage {}: {}", l.name, inertia_warning(program)));

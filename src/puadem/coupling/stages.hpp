@@ -29,6 +29,11 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
 /// @throws InputError, NumericalError as `build_pore_network`, `make_two_phase_model` and `advance_two_phase`
 void run_two_phase_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
 
+/// One fluid in all pores; it and the grains move each other (theory 7.2). `index` of the stage in the case.
+/// @throws InputError      as `run_loading_stage` and `checked_network`, a coupling interval above the limit
+/// @throws NumericalError  from grains, network and flow
+void run_saturated_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
+
 /// Facts of the packing as it lies, into the results: numbers, radii, porosities.
 void describe_packing(const State& state, RunResults& results);
 

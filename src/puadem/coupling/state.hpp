@@ -6,6 +6,8 @@
 #include "puadem/coupling/flow_record.hpp"
 #include "puadem/coupling/history.hpp"
 #include "puadem/coupling/permeability_result.hpp"
+#include "puadem/coupling/saturated_stage.hpp"
+#include "puadem/coupling/saturated_step.hpp"
 #include "puadem/dem/grain_system.hpp"
 #include "puadem/dem/particles.hpp"
 #include "puadem/flow/invasion.hpp"
@@ -29,6 +31,8 @@ struct State {
   std::optional<InvasionState> invasion;         ///< both fluids in the network, once a retention stage has begun
   std::optional<TwoPhaseState> flow;             ///< both fluids as they move, once such a stage has begun
   std::vector<FlowRecord> flows;                 ///< of these stages
+  std::optional<SaturatedState> saturated;       ///< one fluid and grains that move, once such a stage has begun
+  std::vector<SaturatedRecord> saturated_flows;  ///< of these stages
   std::vector<double> saturation;                ///< per pore, wetting fluid [-]
   std::vector<RetentionRow> retention;           ///< equilibria so far
 };

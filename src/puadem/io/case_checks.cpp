@@ -9,6 +9,7 @@
 #include "puadem/base/parallel.hpp"
 #include "puadem/dem/grain_statistics.hpp"
 #include "puadem/geometry/domain.hpp"
+#include "puadem/io/case_checks_coupled.hpp"
 #include "puadem/io/case_checks_two_phase.hpp"
 #include "puadem/io/case_file.hpp"
 #include "puadem/io/units.hpp"
@@ -234,6 +235,10 @@ void check_stage(const RetentionStage& stage, const StageContext& at, Problems& 
 
 void check_stage(const TwoPhaseStage& stage, const StageContext& at, Problems& problems) {
   check_two_phase_stage(stage, at.tree, at.index, at.c, problems);
+}
+
+void check_stage(const SaturatedStage& stage, const StageContext& at, Problems& problems) {
+  check_saturated_stage(stage, at.tree, at.index, at.c, problems);
 }
 
 /// Stages that load grains and walls: what they need of the box, and what cannot be both.

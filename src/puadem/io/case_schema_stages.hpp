@@ -30,6 +30,8 @@ template <>
 const Section<SettleStage>& stage_section();
 template <>
 const Section<StrainStage>& stage_section();
+template <>
+const Section<SaturatedStage>& stage_section();
 
 /// The key `kind`, which tells the stages apart and stores nothing.
 template <class S>

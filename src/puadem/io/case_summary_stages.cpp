@@ -148,6 +148,17 @@ void describe(const TwoPhaseStage& stage, Walk& w) {
   w.equilibria += 1 + size_of(w.c.output.fields_at.saturation);
 }
 
+void describe(const SaturatedStage& stage, Walk& w) {
+  std::string text = stage.time_factor ? fmt::format("to a time factor of {}", *stage.time_factor)
+                                       : "for " + show(stage.duration.value_or(0.0), "s");
+  if (stage.loaded)
+    text += fmt::format(", {} on the {}", show(stage.stress.value_or(0.0), "Pa"), face_names[to_size(*stage.loaded)]);
+  if (stage.inlet) text += fmt::format(", {} at the {}", points_text(stage.inlet_pressure), face_names[to_size(*stage.inlet)]);
+  add_stage(w.summary, w.number, fmt::format("{} {}", SaturatedStage::kind, text));
+  ++w.histories;
+  if (stage.stress) w.scale.stress[axis_of(*stage.loaded)] = *stage.stress;
+}
+
 std::string held_text(const IsotropicStage& s) { return fmt::format("to {} on all axes, until at rest", show(s.stress, "Pa")); }
 std::string held_text(const OedometerStage& s) {
   return s.strain ? fmt::format("to an axial strain of {}", *s.strain) : "to an axial stress of " + points_text(s.path);

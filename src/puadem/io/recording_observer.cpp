@@ -177,6 +177,7 @@ Observer recording_observer(ResultsFolder& folder, const Case& c) {
   };
   observer.history = [&folder, &c](const State& state, const HistoryRow& row) { record_history(folder, c, state, row); };
   record_two_phase(folder, c, observer);
+  record_coupled(folder, c, observer);
   observer.event = [&folder](const State&, const InvasionEvent& e) { record_event(folder, e); };
   return observer;
 }

@@ -5,6 +5,7 @@
 #include "puadem/build_info.hpp"
 #include "puadem/io/manifest.hpp"
 #include "puadem/io/report_assets.hpp"
+#include "puadem/io/report_coupled.hpp"
 #include "puadem/io/report_data.hpp"
 #include "puadem/io/report_two_phase.hpp"
 #include "puadem/io/state_hash.hpp"
@@ -75,6 +76,7 @@ json report_json(const ResultsFolder& folder, const Case& c, const State& state,
           {"runs", std::move(runs)},
           {"permeability", permeability_json(state)},
           {"flows", flows_json(folder, state)},
+          {"saturated", saturated_json(state)},
           {"facts", facts_json(state)},
           {"scalars", scalars_json(results)},
           {"case", case_json(c)},

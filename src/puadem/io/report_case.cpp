@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "puadem/dem/grain_statistics.hpp"
+#include "puadem/io/report_coupled.hpp"
 #include "puadem/io/report_data.hpp"
 #include "puadem/io/report_two_phase.hpp"
 
@@ -96,7 +97,8 @@ json fluid_rows(const Case& c) {
   if (has(TwoPhaseStage::kind))
     rows.push_back({"Viscosities, water and air",
                     in_print(c.fluids.wetting.viscosity, "Pa s") + ", " + in_print(c.fluids.nonwetting.viscosity, "Pa s")});
-  if (has(PermeabilityStage::kind)) rows.push_back({"Viscosity μ", in_print(c.fluids.wetting.viscosity, "Pa s")});
+  if (has(PermeabilityStage::kind) || has(SaturatedStage::kind))
+    rows.push_back({"Viscosity μ", in_print(c.fluids.wetting.viscosity, "Pa s")});
   if (c.network_file) return rows;
   rows.push_back({"Entry pressure law", std::visit([](const auto& law) { return std::string(law.name); }, c.pores.entry_law)});
   add_network_rows(c.pores, rows);
@@ -204,6 +206,7 @@ json stage_rows(const RetentionStage& s) {
 }
 
 json stage_rows(const TwoPhaseStage& s) { return two_phase_rows(s); }
+json stage_rows(const SaturatedStage& s) { return saturated_rows(s); }
 
 }  // namespace
 
@@ -211,7 +214,8 @@ json case_json(const Case& c) {
   json tables = json::array();
   tables.push_back(
       {{"title", c.network_file ? "Network" : "Grains"}, {"rows", c.network_file ? network_rows(c) : grain_rows(c)}});
-  if (std::ranges::any_of(c.stages, puts_fluid)) tables.push_back({{"title", "Fluids and pores"}, {"rows", fluid_rows(c)}});
+  if (std::ranges::any_of(c.stages, puts_fluid) || std::ranges::any_of(c.stages, couples))
+    tables.push_back({{"title", "Fluids and pores"}, {"rows", fluid_rows(c)}});
   int number = 0;
   for (const Stage& stage : c.stages) {
     tables.push_back({{"title", fmt::format("Stage {}: {}", ++number, kind_of(stage))},

@@ -47,6 +47,7 @@ struct ResultsFolder {
   std::string history_stage;                                                                      ///< of the last history row
   int fields_written = 0;                                                                         ///< sets of files of that stage
   AppendFile log, progress, retention, events, compaction, history, pressure, flow, flow_events;  ///< opened when first needed
+  AppendFile saturated, pressure_profile;                                                         ///< the same
   long flow_events_seen = 0;
   std::optional<SectionMap> section;  ///< of the pictures
   int section_pores = 0;              ///< of the network it was cut from

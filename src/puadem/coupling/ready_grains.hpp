@@ -1,0 +1,16 @@
+#pragma once
+
+#include "puadem/coupling/loading_program.hpp"
+#include "puadem/coupling/run.hpp"
+
+namespace puadem {
+
+/// The engine with the options of the case, box and walls at rest, forces evaluated; started from the particles where no
+/// stage has left one.
+/// @throws InputError  for a state without grains
+GrainSystem& ready_grains(const Case& c, State& state, const Observer& observer);
+
+/// What a stage's rates are judged by. @pre the forces are those of the present places, `m` belongs to them
+LoadingScale loading_scale(const Case& c, const GrainSystem& s, const Particles& particles, const GrainMeasures& m);
+
+}  // namespace puadem

@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "puadem/base/error.hpp"
+#include "puadem/coupling/checked_network.hpp"
+#include "puadem/coupling/consolidation.hpp"
+#include "puadem/coupling/ready_grains.hpp"
+#include "puadem/coupling/saturated_results.hpp"
+#include "puadem/coupling/stages.hpp"
+#include "puadem/dem/motion.hpp"
+#include "puadem/dem/time_step.hpp"
+#include "puadem/flow/flow_boundary.hpp"
+
+namespace puadem {
+
+namespace {
+
+constexpr long check_interval = 50;       // coupled steps between two looks at the time step
+constexpr double wall_speed_share = 0.3;  // largest speed of a loaded wall over that of a grain its stress would set moving
+constexpr double profiles_a_stage = 10;
+constexpr double servo_memory = 0.02;  // share of a lasting lag of the wall's servo that is made up for in a step of the grains
+
+/// A stage under way.
+struct Coupled {
+  const Case& c;
+  const SaturatedStage& stage;
+  State& state;
+  const Observer& observer;
+  GrainSystem& grains;
+  SaturatedRecord& record;
+  SaturatedOptions options{};
+  SaturatedCache cache{};
+  Schedule inlet{};
+  HistoryStart start{};
+  double height = 0.0;        ///< of the box along the axis at the start [m]
+  double began = 0.0;         ///< [s]
+  double duration = 0.0;      ///< [s]
+  double interval = 0.0;      ///< [s]
+  double longest_step = 0.0;  ///< of the grains [s]
+  int rows = 0, profiles = 0;
+
+  SaturatedState& fluid() { return *state.saturated; }
+  double time() const { return state.time - began; }
+};
+
+/// Conditions at the faces after a time of the stage.
+void set_faces(Coupled& k, double time) {
+  for (int face = 0; face < 6; ++face)
+    if (k.stage.drained[to_size(face)]) k.options.faces[to_size(face)] = {FaceCondition::Kind::pressure, 0.0};
+  if (k.stage.inlet) k.options.faces[to_size(*k.stage.inlet)] = {FaceCondition::Kind::pressure, k.inlet.at(time)};
+}
+
+SaturatedOptions options_of(const Case& c, const SaturatedStage& stage, double mean_radius) {
+  SaturatedOptions options;
+  options.viscosity = c.fluids.wetting.viscosity;
+  options.density = c.fluids.wetting.density;
+  options.bulk_modulus = stage.bulk_modulus;
+  options.remesh_displacement = stage.remesh_displacement * mean_radius;
+  options.network = c.pores;
+  options.network.contact_angle = c.fluids.contact_angle;
+  options.network.merge_criterion = MergeCriterion::entry_ratio;
+  options.network.merge_ratio = std::numeric_limits<double>::infinity();
+  options.limits = c.pores.conductance_limits;
+  return options;
+}
+
+/// The wall that holds the stress of the stage.
+void load_wall(Coupled& k, const LoadingScale& scale, double mean_stress) {
+  k.grains.motion.strain_with_box = false;
+  if (!k.stage.loaded) return;
+  const int face = *k.stage.loaded, axis = axis_of(face);
+  for (Wall& wall : k.grains.walls) {
+    if (wall.face != face) continue;
+    wall.target = *k.stage.stress;
+    wall.area = scale.size[(axis + 1) % 3] * scale.size[(axis + 2) % 3];
+    wall.servo_stress = ServoStress::total;
+    wall.speed_limit = wall_speed_share * std::sqrt(std::max(*k.stage.stress, mean_stress) / scale.density);
+  }
+}
+
+void keep_in_step(Coupled& k) {
+  collect(k.grains, k.state.particles);
+  k.state.domain = k.grains.domain;
+}
+
+void write_profile(Coupled& k) {
+  std::vector<double> theory(k.fluid().pressure.size(), 0.0);
+  const SaturatedRow& row = k.record.rows.back();
+  const int axis = k.record.axis;
+  if (k.record.reference)
+    for (std::size_t p = 0; p < theory.size(); ++p) {
+      const double below = std::abs(k.state.network.pore_centre[p][axis] - k.state.domain.face_position(*k.stage.loaded));
+      theory[p] = k.record.reference->load *
+                  terzaghi_pressure(*row.time_factor, std::min(below / k.record.reference->drainage_length, 1.0));
+    }
+  PressureProfile& profile = k.record.profiles.emplace_back();
+  profile.time = k.time();
+  profile.time_factor = row.time_factor;
+  profile.layers = pressure_layers(k.state.network, k.state.domain, axis, k.stage.layers, k.fluid().pressure, theory);
+  if (k.observer.saturated_fields) k.observer.saturated_fields(k.state, k.record);
+}
+
+void write_row(Coupled& k, const GrainMeasures& m) {
+  HistoryRow history = history_row(k.grains, m, k.start, k.state.time);
+  history.fraction = k.time() / k.duration;
+  history.stage = k.record.stage;
+  complete_row(k.grains, k.start, history);
+  keep_in_step(k);
+  k.state.history.push_back(history);
+  if (k.observer.history) k.observer.history(k.state, history);
+
+  SaturatedRow row = saturated_row(k.state.network, k.fluid(), k.grains, m, k.record, k.height);
+  row.time = k.time();
+  row.porosity = history.porosity;
+  if (k.stage.inlet) {
+    row.inlet_pressure = k.options.faces[to_size(*k.stage.inlet)].value;
+    const double weight = k.options.density * norm(k.c.motion.gravity);
+    row.gradient = weight > 0.0 ? row.inlet_pressure / (weight * k.grains.domain.size()[k.record.axis]) : 0.0;
+  }
+  if (k.record.reference) set_degrees(*k.record.reference, row);
+  k.record.rows.push_back(row);
+  if (k.observer.saturated) k.observer.saturated(k.state, k.record.rows.back());
+  if (k.time() / k.duration * profiles_a_stage >= k.profiles) {
+    write_profile(k);
+    k.profiles = static_cast<int>(k.time() / k.duration * profiles_a_stage) + 1;
+  }
+}
+
+void tell_progress(Coupled& k, const GrainMeasures& m) {
+  if (!k.observer.progress) return;
+  Progress progress;
+  progress.stage = SaturatedStage::kind;
+  progress.fraction = k.time() / k.duration;
+  progress.step = k.grains.steps;
+  progress.time = k.state.time;
+  progress.unbalanced = m.unbalanced;
+  progress.stress = m.mean_stress;
+  progress.porosity = 1.0 - k.start.solid_volume / k.grains.domain.volume();
+  if (k.observer.progress(progress)) return;
+  keep_in_step(k);
+  throw Interrupted{};
+}
+
+/// Steps of the grains over which the fluid's forces stay frozen.
+long substeps(const Coupled& k) {
+  const double time = std::min(k.interval, k.duration - k.time());
+  return std::max(1L, static_cast<long>(time / k.grains.time_step * (1.0 + 1e-9)));
+}
+
+/// A servo lags behind grains that keep receding; its target makes up for what has been missing.
+void correct_servo(Coupled& k, long steps) {
+  for (Wall& wall : k.grains.walls) {
+    if (!wall.target || !(wall.stiffness > 0.0)) continue;
+    const double held = -dot(wall.force + wall.fluid_force, wall.normal) / wall.area;
+    *wall.target += (1.0 - std::pow(1.0 - servo_memory, static_cast<double>(steps))) * (*k.stage.stress - held);
+  }
+}
+
+void run_steps(Coupled& k) {
+  for (long step = 0;; ++step) {
+    evaluate_forces(k.grains);
+    const bool ends = k.time() >= k.duration * (1.0 - 1e-12);
+    const bool is_row = ends || k.time() / k.duration * k.c.output.history_rows >= k.rows;
+    if (is_row || step % check_interval == 0) {
+      const GrainMeasures m = measure(k.grains);
+      if (is_row) write_row(k, m);
+      if (is_row) k.rows = static_cast<int>(k.time() / k.duration * k.c.output.history_rows) + 1;
+      tell_progress(k, m);
+    }
+    if (ends) return;
+    if (step % check_interval == 0) renew_time_step(k.grains, k.longest_step);
+    const long n = substeps(k);
+    set_faces(k, k.time() + static_cast<double>(n) * k.grains.time_step);
+    saturated_step(k.options, n, k.grains, k.state.particles, k.state.network, k.fluid(), k.cache);
+    correct_servo(k, n);
+    k.state.domain = k.grains.domain;
+    k.state.time += static_cast<double>(n) * k.grains.time_step;
+  }
+}
+
+/// Duration from the time factor; how long the forces may be frozen.
+void set_times(Coupled& k) {
+  if (k.stage.time_factor) {
+    const int face = *k.stage.loaded;
+    const bool both = k.stage.drained[to_size(opposite(face))];
+    k.record.reference =
+        measure_consolidation(k.grains, k.state.network, face, both ? 0.5 * k.height : k.height, k.options.viscosity);
+    const ConsolidationReference& r = *k.record.reference;
+    k.duration = *k.stage.time_factor * r.drainage_length * r.drainage_length / r.coefficient;
+  } else {
+    k.duration = *k.stage.duration;
+  }
+  k.record.coupling_limit = coupling_limit(k.options, k.state.network, k.state.particles, k.grains.domain, k.cache);
+  k.interval = k.stage.coupling_interval.value_or(
+      std::min(k.stage.coupling_safety * k.record.coupling_limit, k.duration / k.c.output.history_rows));
+  require(
+      k.interval < k.record.coupling_limit,
+      "stage {}: coupling_interval = {:.4g} s: forces of the fluid that stay frozen that long make the grains swing ever more; "
+      "the limit is {:.4g} s (theory 7.3)",
+      k.record.stage, k.interval, k.record.coupling_limit);
+  k.longest_step = std::min(k.longest_step, k.interval);
+  k.record.coupling_interval = k.interval;
+}
+
+}  // namespace
+
+void run_saturated_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results) {
+  const auto& stage = std::get<SaturatedStage>(c.stages[to_size(index)]);
+  GrainSystem& grains = ready_grains(c, state, observer);
+  collect(grains, state.particles);
+  state.domain = grains.domain;
+  const GrainMeasures m = measure(grains);
+  const LoadingScale scale = loading_scale(c, grains, state.particles, m);
+  SaturatedRecord& record = state.saturated_flows.emplace_back();
+  record.stage = stage_name(c, index);
+  record.axis = stage.loaded ? axis_of(*stage.loaded) : stage.inlet ? axis_of(*stage.inlet) : 2;
+  state.network = checked_network(c, state, observer, false);
+  Coupled k{c, stage, state, observer, grains, record, options_of(c, stage, 0.5 * scale.diameter)};
+  k.height = scale.size[record.axis];
+  k.began = state.time;
+  if (stage.inlet)
+    k.inlet = stage.inlet_times.empty() ? Schedule::constant(stage.inlet_pressure.front())
+                                        : Schedule{stage.inlet_times, stage.inlet_pressure};
+  set_faces(k, 0.0);
+  grains.motion.damping = stage.damping;
+  load_wall(k, scale, m.mean_stress);
+  state.saturated = start_saturated(k.options, state.network, state.particles, grains, k.cache);
+  k.longest_step = grains.motion.safety * critical_time_step_at(grains, std::max(stage.stress.value_or(0.0), m.mean_stress));
+  grains.time_step = 0.0;
+  renew_time_step(grains, k.longest_step);
+  set_times(k);
+  renew_time_step(grains, k.longest_step);
+  k.start = begin_history(grains);
+
+  run_steps(k);
+  grains.energy.is_kept = false;
+  release_fluid_forces(grains);
+  describe_saturated(c, stage, record, *state.saturated, grains, results);
+  if (observer.message)
+    observer.message(
+        fmt::format("stage {}: {} coupled steps of at most {:.3g} s (limit {:.3g} s), grains' steps of {:.3g} s; {} "
+                    "new networks, {} cells renewed",
+                    record.stage, state.saturated->steps, k.interval, record.coupling_limit, grains.time_step,
+                    state.saturated->remeshes, state.saturated->cells_renewed));
+}
+
+}  // namespace puadem

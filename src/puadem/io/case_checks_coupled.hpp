@@ -1,0 +1,11 @@
+#pragma once
+
+#include "puadem/coupling/case.hpp"
+#include "puadem/io/case_fields.hpp"
+
+namespace puadem {
+
+/// What cannot be together in a stage "saturated-flow". @param tree  of the stage
+void check_saturated_stage(const SaturatedStage& stage, const TomlValue& tree, int index, const Case& c, Problems& problems);
+
+}  // namespace puadem

@@ -1,0 +1,119 @@
+// Stage "saturated-flow": consolidation and seepage of small packings.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "puadem/base/error.hpp"
+#include "puadem/coupling/run.hpp"
+
+using namespace puadem;
+using ::testing::HasSubstr;
+
+namespace {
+
+/// Dimensionless consolidation by small explicit steps: pressure at the nodes of a layer drained at depth 0.
+std::vector<double> diffused(double time_factor, int nodes) {
+  std::vector<double> p(to_size(nodes + 1), 1.0), next(p);
+  p[0] = 0.0;
+  const double h = 1.0 / nodes, most = 0.25 * h * h;
+  const int steps = static_cast<int>(std::ceil(time_factor / most));
+  for (int k = 0; k < steps; ++k) {
+    for (std::size_t i = 1; i < p.size(); ++i) {
+      const double beyond = i + 1 < p.size() ? p[i + 1] : p[i - 1];
+      next[i] = p[i] + time_factor / steps / (h * h) * (p[i - 1] - 2.0 * p[i] + beyond);
+    }
+    next[0] = 0.0;
+    p = next;
+  }
+  return p;
+}
+
+Case column() {
+  Case c;
+  c.seed = 3;
+  c.domain.periodic = {true, true, false};
+  c.domain.shape = {1, 1, 2};
+  c.materials = {Material{.name = "glass", .density = 2500.0, .youngs_modulus = 1.5e8, .friction_angle = 0.4}};
+  c.grains.count = 120;
+  c.grains.material = "glass";
+  c.grains.grading = {Grading::By::mass, {{0.8e-3, 1.2e-3, 1.0}}};
+  c.contact.law = ContactOptions::Law::linear_spring;
+  c.fluids.wetting = {0.3, 950.0};
+  CompactStage compact;
+  compact.stress = 100e3;
+  compact.friction_angle = 0.1;
+  c.stages = {compact};
+  c.output.history_rows = 40;
+  return c;
+}
+
+SaturatedStage load() {
+  SaturatedStage stage;
+  stage.loaded = 5;
+  stage.stress = 110e3;
+  return stage;
+}
+
+}  // namespace
+
+TEST(Consolidation, DegreeAndPressureAreThoseOfTheDiffusionEquation) {
+  for (const double t : {0.02, 0.1, 0.5}) {
+    const std::vector<double> p = diffused(t, 200);
+    double left = 0.5 * p.back();
+    for (std::size_t i = 1; i + 1 < p.size(); ++i) left += p[i];
+    EXPECT_NEAR(terzaghi_degree(t), 1.0 - left / 200.0, 2e-4);
+    for (const double depth : {0.1, 0.5, 1.0})
+      EXPECT_NEAR(terzaghi_pressure(t, depth), p[to_size(static_cast<int>(std::lround(200 * depth)))], 2e-4);
+  }
+  EXPECT_EQ(terzaghi_degree(0.0), 0.0);
+  EXPECT_EQ(terzaghi_pressure(0.0, 0.5), 1.0);
+}
+
+TEST(Consolidation, ShortTimesJoinTheSeries) {
+  EXPECT_NEAR(terzaghi_degree(0.0099999), terzaghi_degree(0.0100001), 1e-5);
+  EXPECT_NEAR(terzaghi_pressure(0.0099999, 0.2), terzaghi_pressure(0.0100001, 0.2), 1e-5);
+}
+
+TEST(SaturatedStage, ASmallColumnConsolidates) {
+  Case c = column();
+  SaturatedStage stage = load();
+  stage.time_factor = 1.0;
+  c.stages.emplace_back(stage);
+  State state;
+  const RunResults results = run(c, state, {});
+  // A column of ten grains' height; the cases hold the finer bounds.
+  EXPECT_LT(results.scalars.at("saturated-flow_degree_error"), 0.15);
+  EXPECT_GT(results.scalars.at("saturated-flow_degree_end"), 0.85);
+  EXPECT_LT(results.scalars.at("saturated-flow_ledger_error"), 1e-12);
+  const SaturatedRecord& record = state.saturated_flows.back();
+  // All of the load is on the fluid at first and on the grains at last; the porous plate carries it all along.
+  double most = 0.0;
+  for (const SaturatedRow& row : record.rows) most = std::max(most, row.pressure_largest);
+  EXPECT_GT(most, 7e3);
+  EXPECT_NEAR(record.rows.back().contact_stress_upper, 110e3, 300.0);
+  EXPECT_GE(record.profiles.size(), 10u);
+  EXPECT_TRUE(state.grains->external_force.empty()) << "the fluid's forces end with the stage";
+}
+
+TEST(SaturatedStage, TooLongAnIntervalIsRefusedWithTheLimit) {
+  Case c = column();
+  SaturatedStage stage = load();
+  stage.duration = 1e-3;
+  stage.coupling_interval = 1e-4;
+  c.stages.emplace_back(stage);
+  State state;
+  EXPECT_THAT([&] { run(c, state, {}); }, ::testing::ThrowsMessage<InputError>(HasSubstr("the limit is")));
+}
+
+TEST(SaturatedStage, AWallThatTheFluidLiftsOffStopsTheRun) {
+  Case c = column();
+  SaturatedStage stage = load();
+  stage.stress = 5e3;  // far below what the fluid pushes the bed with
+  stage.inlet = 4;
+  stage.inlet_pressure = {2e6};
+  stage.duration = 0.2;
+  c.stages.emplace_back(stage);
+  State state;
+  EXPECT_THROW(run(c, state, {}), NumericalError);
+}
