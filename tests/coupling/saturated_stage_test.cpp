@@ -6,6 +6,7 @@
 
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/run.hpp"
+#include "puadem/coupling/wall_guard.hpp"
 
 using namespace puadem;
 using ::testing::HasSubstr;
@@ -106,14 +107,19 @@ TEST(SaturatedStage, TooLongAnIntervalIsRefusedWithTheLimit) {
   EXPECT_THAT([&] { run(c, state, {}); }, ::testing::ThrowsMessage<InputError>(HasSubstr("the limit is")));
 }
 
-TEST(SaturatedStage, AWallThatTheFluidLiftsOffStopsTheRun) {
+TEST(WallGuard, AWallThatHasOutrunTheGrainsStopsTheRunWithPlaceAndCause) {
   Case c = column();
-  SaturatedStage stage = load();
-  stage.stress = 5e3;  // far below what the fluid pushes the bed with
-  stage.inlet = 4;
-  stage.inlet_pressure = {2e6};
-  stage.duration = 0.2;
-  c.stages.emplace_back(stage);
   State state;
-  EXPECT_THROW(run(c, state, {}), NumericalError);
+  run(c, state, {});
+  GrainSystem& grains = *state.grains;
+  EXPECT_NO_THROW(guard_walls(grains));
+  for (Wall& wall : grains.walls)
+    if (wall.face == 5) {
+      wall.target = 1e3;
+      wall.stiffness = 0.0;
+    }
+  EXPECT_NO_THROW(guard_walls(grains)) << "a wall that lost its last contact a moment ago is no fault";
+  for (Wall& wall : grains.walls) wall.point += 0.01 * Vec3{0, 0, wall.face == 5 ? 1.0 : 0.0};
+  EXPECT_THAT([&] { guard_walls(grains); },
+              ::testing::ThrowsMessage<NumericalError>(HasSubstr("the top wall, which holds 1000 Pa")));
 }

@@ -33,11 +33,13 @@ MovedVoids moved_voids(const PoreNetwork& network, const NetworkPlace& place, st
   const auto is_inverted = [&](int c) { return now[to_size(c)] * place.orientation[to_size(c)] < 0; };
   MovedVoids voids;
   voids.pore.resize(to_size(network.pores()));
+  voids.cell.resize(now.size());
   parallel_for(network.pores(), [&](int p) {
     double space = 0.0;
     for (const int c : network.pore_tetrahedra[p]) {
       const double cell = cell_void_volume(sites_of(network.triangulation.vertices[to_size(c)]));
-      space += is_inverted(c) ? -cell : cell;
+      voids.cell[to_size(c)] = is_inverted(c) ? -cell : cell;
+      space += voids.cell[to_size(c)];
     }
     voids.pore[to_size(p)] = space;
   });

@@ -26,6 +26,7 @@ std::vector<Vec3> followed_centres(const NetworkPlace& place, const Particles& p
 /// Voids of a network whose grains have moved.
 struct MovedVoids {
   std::vector<double> pore;  ///< volume of each pore [m3]
+  std::vector<double> cell;  ///< of each cell [m3]
   int inverted = -1;         ///< lowest cell that has turned inside out, or -1
 };
 

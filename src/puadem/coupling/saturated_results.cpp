@@ -11,16 +11,36 @@ namespace puadem {
 
 namespace {
 
+/// The last row before the gradient rises.
+std::vector<SaturatedRow>::const_iterator last_at_rest(const SaturatedRecord& record) {
+  const auto rising = std::ranges::find_if(record.rows, [](const SaturatedRow& r) { return r.gradient > 0.0; });
+  return rising == record.rows.begin() ? rising : std::prev(rising);
+}
+
+/// Weight of the grains under the fluid and the stress on them, over the weight of the same column of fluid (theory 7.5).
+double gradient_of_weight(const Case& c, const SaturatedStage& stage, const SaturatedRecord& record, const GrainSystem& grains) {
+  double mass = 0.0, volume = 0.0;
+  for (int k = 0; k < grains.owned; ++k) {
+    const double r = radius_of(grains.record[to_size(k)]);
+    mass += mass_of(grains.record[to_size(k)]);
+    volume += 4.0 / 3.0 * std::numbers::pi * r * r * r;
+  }
+  const double g = std::abs(c.motion.gravity[record.axis]), density = c.fluids.wetting.density;
+  const double area = grains.domain.volume() / grains.domain.size()[record.axis];
+  const double box = volume / (1.0 - last_at_rest(record)->porosity);
+  return ((mass - density * volume) * g + stage.stress.value_or(0.0) * area) / (density * g * box);
+}
+
 /// Gradient at which the grains leave the wall of the inlet: zero of the straight line through the stresses on it while
 /// they fall from 0.9 to 0.2 of the last before the gradient rises; none where they do not.
 std::optional<double> critical_gradient(const SaturatedStage& stage, const SaturatedRecord& record) {
   const auto stress = [&](const SaturatedRow& r) {
     return is_upper(*stage.inlet) ? r.contact_stress_upper : r.contact_stress_lower;
   };
-  const auto rising = std::ranges::find_if(record.rows, [](const SaturatedRow& r) { return r.gradient > 0.0; });
-  const double first = stress(rising == record.rows.begin() ? record.rows.front() : *std::prev(rising));
+  const auto at_rest = last_at_rest(record);
+  const double first = stress(*at_rest);
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, last = first;
-  for (auto at = rising; at != record.rows.end(); ++at) {
+  for (auto at = at_rest; at != record.rows.end(); ++at) {
     const SaturatedRow& r = *at;
     last = std::min(last, stress(r));
     if (stress(r) > 0.9 * first || last < 0.2 * first) continue;
@@ -34,19 +54,6 @@ std::optional<double> critical_gradient(const SaturatedStage& stage, const Satur
   if (n < 3.0 || last > 0.2 * first || !(spread > 0.0)) return std::nullopt;
   const double slope = (n * xy - x * y) / spread;
   return (y - slope * x) / n / -slope;
-}
-
-/// Weight of the grains under the fluid and the stress on them, over the weight of a column of fluid (theory 7.5).
-double gradient_of_weight(const Case& c, const SaturatedStage& stage, const GrainSystem& grains, int axis) {
-  double mass = 0.0, volume = 0.0;
-  for (int k = 0; k < grains.owned; ++k) {
-    const double r = radius_of(grains.record[to_size(k)]);
-    mass += mass_of(grains.record[to_size(k)]);
-    volume += 4.0 / 3.0 * std::numbers::pi * r * r * r;
-  }
-  const double g = std::abs(c.motion.gravity[axis]), density = c.fluids.wetting.density;
-  const double box = grains.domain.volume(), height = grains.domain.size()[axis];
-  return ((mass - density * volume) * g + stage.stress.value_or(0.0) * box / height) / (density * g * box);
 }
 
 }  // namespace
@@ -111,7 +118,7 @@ void describe_saturated(const Case& c, const SaturatedStage& stage, const Satura
     set("degree_end", *record.rows.back().degree);
   }
   if (stage.inlet && c.motion.gravity[record.axis] != 0.0) {
-    const double expected = gradient_of_weight(c, stage, grains, record.axis);
+    const double expected = gradient_of_weight(c, stage, record, grains);
     set("critical_gradient_of_weight", expected);
     if (const auto found = critical_gradient(stage, record)) {
       set("critical_gradient", *found);

@@ -200,9 +200,9 @@ double coupling_limit(const SaturatedOptions& options, const PoreNetwork& networ
     for (std::size_t i = 0; i < velocity.size(); ++i) {
       power -= dot(forces.grain[i], velocity[i]);
       kinetic += particles.mass[i] * squared_norm(velocity[i]);
-      velocity[i] = forces.grain[i] / -particles.mass[i];
     }
-    const double last = rate;
+    const double last = rate, size = std::sqrt(kinetic);
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = forces.grain[i] / (-particles.mass[i] * size);
     rate = power / kinetic;
     if (std::abs(rate - last) < 1e-3 * rate) break;
   }

@@ -1,0 +1,176 @@
+#include "puadem/coupling/unsaturated_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "puadem/base/compensated_sum.hpp"
+#include "puadem/base/error.hpp"
+#include "puadem/coupling/fluid_transfer.hpp"
+#include "puadem/coupling/wall_guard.hpp"
+#include "puadem/dem/motion.hpp"
+#include "puadem/dem/stress.hpp"
+#include "puadem/dem/time_step.hpp"
+#include "puadem/network/network_geometry.hpp"
+
+namespace puadem {
+
+namespace {
+
+constexpr long check_interval = 50;      // steps of the grains between two looks at rest
+constexpr double slow = 1e3;             // time over which pores change, over the drainage time of the median pore
+constexpr double largest_strain = 0.05;  // of the void, at which a new network is made
+
+TwoPhaseModel model_of(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
+                       const Domain& domain, double capillary_pressure) {
+  FlowBoundary air;
+  air.name = face_names[to_size(options.air)];
+  air.fluid = FluidPhase::nonwetting;
+  air.pores = face_pores(network, options.air);
+  air.schedule = Schedule::constant(0.0);
+  air.initial_gas_fraction = options.initial_air_fraction;
+  FlowBoundary water;
+  water.name = face_names[to_size(options.water)];
+  water.pores = face_pores(network, options.water);
+  water.schedule = Schedule::constant(-capillary_pressure);
+  return make_two_phase_model(
+      network, options.fluids, options.flow, {std::move(air), std::move(water)},
+      throat_films(network, PackingSites(particles.position, particles.radius, domain), options.fluids.contact_angle));
+}
+
+void renew_areas(const UnsaturatedOptions& options, const PoreNetwork& network, std::span<const Vec3> centre,
+                 const Particles& particles, const Domain& domain, UnsaturatedCache& cache) {
+  cache.areas =
+      pushed_areas(network, PackingSites(centre, particles.radius, domain), ThroatShare::contact_line, options.network.no_slip);
+}
+
+void set_forces(const PoreNetwork& network, const Particles& particles, GrainSystem& grains, UnsaturatedState& state,
+                const UnsaturatedCache& cache) {
+  const std::vector<double> pressure = effective_pressures(network, *cache.model, state.flow);
+  state.forces = pressure_forces(network, cache.areas, pressure, {}, particles.size());
+  grains.external_force = state.forces.grain;
+  for (Wall& wall : grains.walls) wall.fluid_force = wall.face >= 0 ? state.forces.wall[to_size(wall.face)] : Vec3{};
+}
+
+struct Held {
+  double water = 0.0, gas = 0.0;  ///< [m3]
+};
+
+Held held_by(const PoreNetwork& network, const UnsaturatedState& state, const TwoPhaseModel& model) {
+  CompensatedSum water, gas;
+  for (int p = 0; p < network.pores(); ++p) {
+    if (!model.is_counted(p)) continue;
+    const double w = state.flow.wetting_volume[to_size(p)];
+    water.add(w);
+    gas.add(network.pore_volume[to_size(p)] - w);
+  }
+  return {water.value(), gas.value()};
+}
+
+double sum_of(std::span<const double> values) {
+  CompensatedSum sum;
+  for (const double v : values) sum.add(v);
+  return sum.value();
+}
+
+}  // namespace
+
+UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
+                                   GrainSystem& grains, UnsaturatedCache& cache) {
+  UnsaturatedState state;
+  state.place = place_of(network, particles, grains.domain);
+  cache.model = model_of(options, network, particles, grains.domain, 0.0);
+  state.flow = start_two_phase(network, *cache.model);
+  const Held held = held_by(network, state, *cache.model);
+  state.void_listed = sum_of(network.pore_volume);
+  state.water_start = held.water;
+  state.gas_start = held.gas;
+  renew_areas(options, network, particles.position, particles, grains.domain, cache);
+  set_forces(network, particles, grains, state, cache);
+  return state;
+}
+
+void rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, UnsaturatedState& state) {
+  const auto holds_stress = [&] {
+    return std::ranges::all_of(grains.walls, [&](const Wall& w) {
+      if (!w.target) return true;
+      return std::abs(-dot(w.force + w.fluid_force, w.normal) / w.area / *w.target - 1.0) < options.stress_tolerance;
+    });
+  };
+  for (long step = 0;; step += check_interval) {
+    evaluate_forces(grains);
+    const GrainMeasures m = measure(grains);
+    if (step > 0 && m.unbalanced < options.unbalanced && holds_stress()) break;
+    ensure(
+        step < options.most_steps,
+        "step {}: the grains do not come to rest under the forces of the fluids within {} steps; the unbalanced force ratio is "
+        "{:.3g}, the capillary pressure {:.4g} Pa",
+        grains.steps, step, m.unbalanced, state.capillary_pressure);
+    renew_time_step(grains);
+    advance_grains(grains, check_interval);
+    guard_walls(grains);
+    state.grain_steps += check_interval;
+  }
+}
+
+void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, PoreNetwork& network,
+                   UnsaturatedState& state, UnsaturatedCache& cache) {
+  collect(grains, particles);
+  const Domain& domain = grains.domain;
+  const std::vector<Vec3> centre = followed_centres(state.place, particles, domain);
+  const MovedVoids voids = moved_voids(network, state.place, centre, particles.radius, domain);
+  const auto narrowest = std::ranges::min_element(voids.pore);
+  const int pore = static_cast<int>(narrowest - voids.pore.begin());
+  const Vec3& at = network.pore_centre[to_size(pore)];
+  ensure(*narrowest > 0.0,
+         "step {}: pore {} at ({:g}, {:g}, {:g}) m has vanished between its grains, it has {:.3g} m3 left; a smaller "
+         "remesh_displacement or step of the capillary pressure helps",
+         grains.steps, pore, at.x, at.y, at.z, *narrowest);
+
+  const double time = slow * cache.model->time_scale;
+  std::vector<double> rate(voids.pore.size());
+  for (std::size_t p = 0; p < rate.size(); ++p) rate[p] = (voids.pore[p] - network.pore_volume[p]) / time;
+  state.flow.time_step = time;
+  state.fluid_steps += advance_two_phase(network, *cache.model, time, rate, state.flow).steps;
+
+  const double strain = std::abs(sum_of(voids.pore) / state.void_listed - 1.0);
+  const bool is_deformed =
+      voids.inverted >= 0 || strain > largest_strain || largest_displacement(state.place, centre) > options.remesh_displacement;
+  if (is_deformed) {
+    const std::vector<int> kinds = fluid_kinds(state.flow);
+    network.pore_volume = voids.pore;
+    RebuiltNetwork rebuilt = remesh(network, kinds, centre, particles, domain, options.network, state.place);
+    TwoPhaseModel model = model_of(options, rebuilt.network, particles, domain, state.capillary_pressure);
+    state.flow = carry_fluids(network, voids.cell, *cache.model, rebuilt, model, state.flow, &state.pores_changed);
+    state.cells_renewed += static_cast<long>(rebuilt.match.appeared.index.size());
+    ++state.remeshes;
+    state.void_listed = sum_of(rebuilt.network.pore_volume);
+    network = std::move(rebuilt.network);
+    cache.model = std::move(model);
+    renew_areas(options, network, particles.position, particles, domain, cache);
+  } else {
+    update_network_geometry(network, centre, particles.radius, domain, options.network);
+    cache.model = model_of(options, network, particles, domain, state.capillary_pressure);
+    renew_areas(options, network, centre, particles, domain, cache);
+  }
+}
+
+void rest_fluids(const UnsaturatedOptions&, const PoreNetwork& network, const Particles& particles, GrainSystem& grains,
+                 UnsaturatedState& state, UnsaturatedCache& cache, const TwoPhaseCallbacks& callbacks) {
+  for (FlowBoundary& boundary : cache.model->boundaries)
+    if (boundary.fluid == FluidPhase::wetting) boundary.schedule = Schedule::constant(-state.capillary_pressure);
+  RestCriterion rest;
+  // Newton's method leaves saturations within its tolerance; rest is no less than that.
+  rest.saturation_change = std::max(rest.saturation_change, 10.0 * cache.model->options.steps.tolerance);
+  state.fluid_steps += equilibrate_two_phase(network, *cache.model, rest, state.flow, callbacks).steps;
+  set_forces(network, particles, grains, state, cache);
+}
+
+std::array<double, 2> ledger_errors(const PoreNetwork& network, const UnsaturatedState& state, const UnsaturatedCache& cache) {
+  const Held held = held_by(network, state, *cache.model);
+  const FluidLedger& l = state.flow.ledger;
+  const double space = held.water + held.gas;
+  return {(state.water_start + l.wetting_in.value() - l.wetting_out.value() - held.water) / space,
+          (state.gas_start + l.nonwetting_in.value() - l.nonwetting_out.value() - held.gas) / space};
+}
+
+}  // namespace puadem

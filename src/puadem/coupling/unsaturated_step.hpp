@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "puadem/coupling/capillary_forces.hpp"
+#include "puadem/coupling/moving_pores.hpp"
+#include "puadem/dem/grain_system.hpp"
+#include "puadem/flow/two_phase_flow.hpp"
+
+// Grains and two fluids near rest move each other (theory 7.6): one round is
+//   rest_grains -> follow_grains -> rest_fluids, again until neither moves.
+
+namespace puadem {
+
+struct UnsaturatedOptions {
+  Fluids fluids;
+  TwoPhaseOptions flow;
+  NetworkOptions network;
+  int air = 5, water = 4;              ///< faces of the reservoirs
+  double initial_air_fraction = 1e-6;  ///< of the pores at the air's face
+  double remesh_displacement = 0.0;    ///< of a grain, at which a new network is made [m]
+  double unbalanced = 1e-3;            ///< force ratio at which grains are at rest [-]
+  double stress_tolerance = 1e-3;      ///< of a wall that holds a stress [-]
+  long most_steps = 500'000;           ///< of the grains to come to rest
+};
+
+/// Everything a restart needs besides network, grains and their frozen forces.
+struct UnsaturatedState {
+  NetworkPlace place;
+  TwoPhaseState flow;
+  FluidForces forces;                         ///< that act until the next round
+  double capillary_pressure = 0.0;            ///< of the reservoirs [Pa]
+  double void_listed = 0.0;                   ///< when the network was made [m3]
+  double water_start = 0.0, gas_start = 0.0;  ///< of the counted pores [m3]
+  long remeshes = 0, cells_renewed = 0, pores_changed = 0;
+  long grain_steps = 0, fluid_steps = 0;
+};
+
+/// What follows from network and place.
+struct UnsaturatedCache {
+  PushedAreas areas;
+  std::optional<TwoPhaseModel> model;
+};
+
+/// Water everywhere but for a trace of air at its face, at no capillary pressure; its forces on grains and walls.
+UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
+                                   GrainSystem& grains, UnsaturatedCache& cache);
+
+/// Grains move under the forces that were found last until they are at rest.
+/// @throws NumericalError  where they do not come to rest
+void rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, UnsaturatedState& state);
+
+/// The fluids follow the grains: every pore's change of volume is passed on, then the network has its new geometry, or is
+/// made anew where grains went too far.
+void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, PoreNetwork& network,
+                   UnsaturatedState& state, UnsaturatedCache& cache);
+
+/// The fluids come to rest at the capillary pressure of the state; then their forces are set.
+void rest_fluids(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, GrainSystem& grains,
+                 UnsaturatedState& state, UnsaturatedCache& cache, const TwoPhaseCallbacks& callbacks = {});
+
+/// What the books and the pores disagree by, over the void: water, gas [-].
+std::array<double, 2> ledger_errors(const PoreNetwork& network, const UnsaturatedState& state, const UnsaturatedCache& cache);
+
+}  // namespace puadem
