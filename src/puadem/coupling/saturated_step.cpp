@@ -1,5 +1,6 @@
 #include "puadem/coupling/saturated_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -48,7 +49,9 @@ void renew_cache(const SaturatedOptions& options, const PoreNetwork& network, co
                  SaturatedCache& cache) {
   cache.areas = pushed_areas(network, PackingSites(particles.position, particles.radius, domain), ThroatShare::surface,
                              options.network.no_slip);
-  const PressureSolverOptions solver = cache.memory.solver;
+  constexpr int cholesky_limit = 150'000;  // unknowns: one factor serves hundreds of steps
+  PressureSolverOptions solver = cache.memory.solver;
+  solver.cholesky_limit = std::max(solver.cholesky_limit, cholesky_limit);
   cache.memory = {};
   cache.memory.solver = solver;
 }
