@@ -92,7 +92,7 @@ void write_chains(const std::filesystem::path& folder) {
   csv.row("Haines jump: gas in the second pore at p_c = threshold (1 - 1e-6)", "no", jump.enters_below ? "yes" : "no");
   csv.row("Haines jump: the same at threshold (1 + 1e-6)", "yes", jump.enters_above ? "yes" : "no");
   csv.row("Haines jump: water the second pore gave before / V", 0.0, jump.lost_below);
-  csv.row("Haines jump: |S - S(p_c)| of both pores at rest", 0.0, jump.law_difference);
+  csv.row("Haines jump: difference of S from S(p_c) in both pores at rest", 0.0, jump.law_difference);
   csv.row("Haines jump: most taken up in a step by the invaded pore / V", 0.0, jump.regain);
   csv.row("Haines jump: change of water less inflow / V at any step", 0.0, jump.imbalance);
   const WashburnScene washburn = washburn_scene();
