@@ -171,7 +171,9 @@ void run_steps(Coupled& k) {
     if (ends) return;
     if (step % check_interval == 0) renew_time_step(k.grains, k.longest_step);
     const long n = substeps(k);
-    set_faces(k, k.time() + static_cast<double>(n) * k.grains.time_step);
+    const double end = k.time() + static_cast<double>(n) * k.grains.time_step;
+    set_faces(k, end);
+    if (end >= k.duration * (1.0 - 1e-12)) k.options.remesh_displacement = -1.0;  // the stage leaves a network of the last places
     saturated_step(k.options, n, k.grains, k.state.particles, k.state.network, k.fluid(), k.cache);
     correct_servo(k, n);
     k.state.domain = k.grains.domain;
