@@ -23,6 +23,7 @@
 #include "puadem/io/manifest.hpp"
 #include "puadem/io/progress_line.hpp"
 #include "puadem/io/results_folder.hpp"
+#include "puadem/io/resume.hpp"
 #include "puadem/io/run_summary.hpp"
 #include "puadem/io/text.hpp"
 
@@ -49,6 +50,7 @@ struct RunOptions {
   int threads = 0;
   bool quiet = false;
   bool json = false;
+  double time_limit = 0.0;  // [s]; 0: none
 };
 
 void print_warnings(const std::vector<std::string>& warnings) {
@@ -71,12 +73,16 @@ std::string text_with_overrides(const CaseFile& file, const std::vector<std::str
   return text;
 }
 
-Observer combined(const Observer& recorder, ProgressLine& line, bool quiet) {
+Observer combined(const Observer& recorder, ProgressLine& line, const RunOptions& options) {
+  const auto began = ProgressLine::Clock::now();
+  const double limit = options.time_limit > 0.0 ? options.time_limit : std::numeric_limits<double>::infinity();
+  const bool quiet = options.quiet;
   Observer observer = recorder;
-  observer.progress = [&recorder, &line, quiet](const Progress& progress) {
+  observer.progress = [&recorder, &line, quiet, began, limit](const Progress& progress) {
     const bool go_on = recorder.progress(progress);
     if (!quiet) line.show(progress);
-    return go_on && stop_requested == 0;
+    const std::chrono::duration<double> taken = ProgressLine::Clock::now() - began;
+    return go_on && stop_requested == 0 && taken.count() < limit;
   };
   observer.message = [&recorder, &line, quiet](std::string_view text) {
     recorder.message(text);
@@ -86,10 +92,9 @@ Observer combined(const Observer& recorder, ProgressLine& line, bool quiet) {
 }
 
 /// Runs the stages; what went wrong ends up in the outcome.
-RunResults run_stages(const Case& c, State& state, const Observer& observer, RunOutcome& outcome) {
-  RunResults results;
+RunResults run_stages(const Case& c, State& state, const Observer& observer, RunResults results, RunOutcome& outcome) {
   try {
-    results = run(c, state, observer);
+    results = run(c, state, observer, std::move(results));
     const auto missed = missed_bounds(c, results);
     if (results.interrupted) {
       outcome.exit_code = interrupted;
@@ -118,42 +123,58 @@ int useful_threads(int grains) {
   return std::clamp(grains / grains_of_a_thread, 1, threads());
 }
 
-int run_case(const RunOptions& options) {
+/// Runs the stages that are left and writes what they found.
+int run_to_end(const Case& c, State& state, RunResults results, ResultsFolder& folder, const RunOptions& options) {
   const auto began = ProgressLine::Clock::now();
-  CaseFile file = read_case(options.case_file, options.overrides);
-  State state = initial_state(file.c, file.warnings);
-  set_threads(options.threads > 0 ? options.threads : useful_threads(std::max(state.particles.size(), file.c.grains.count)));
-  if (!options.quiet) print_warnings(file.warnings);
-
-  std::optional<fs::path> output;
-  if (!options.output.empty()) output = options.output;
-  ResultsFolder folder = open_results(file.c, text_with_overrides(file, options.overrides), resolved_case(file.c), output,
-                                      name_of(options.case_file));
-  folder.warnings.insert(folder.warnings.end(), file.warnings.begin(), file.warnings.end());
+  set_threads(options.threads > 0 ? options.threads : useful_threads(std::max(state.particles.size(), c.grains.count)));
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 
   RunOutcome outcome;
   outcome.folder = folder.path;
-  const Observer recorder = recording_observer(folder, file.c);
-  RunResults results;
+  const Observer recorder = recording_observer(folder, c);
   {
     ProgressLine line(stderr);
-    results = run_stages(file.c, state, combined(recorder, line, options.quiet), outcome);
+    results = run_stages(c, state, combined(recorder, line, options), std::move(results), outcome);
   }
   if (outcome.exit_code != interrupted && !outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
-  finish_results(folder, file.c, state, &results, outcome.exit_code, outcome.error);
+  finish_results(folder, c, state, &results, outcome.exit_code, outcome.error);
   std::error_code failed;
   if (!fs::exists(outcome.folder, failed)) outcome.folder.clear();
-  if (outcome.exit_code == interrupted)
+  if (outcome.exit_code == interrupted) {
+    const bool can_go_on = !outcome.folder.empty() && fs::exists(outcome.folder / "checkpoints", failed);
     fmt::print(stderr, "interrupted{}\n",
-               outcome.folder.empty() ? " before the first result; nothing is kept" : "; what was finished is kept");
+               outcome.folder.empty() ? " before the first result; nothing is kept"
+               : can_go_on            ? fmt::format("; go on with: puadem resume {}", outcome.folder.string())
+                                      : "; what was finished is kept");
+  }
   outcome.wall_time = std::chrono::duration<double>(ProgressLine::Clock::now() - began).count();
   if (options.json)
-    fmt::print("{}", run_json(file.c, state, results, outcome));
+    fmt::print("{}", run_json(c, state, results, outcome));
   else if (!options.quiet)
-    fmt::print("{}", run_text(file.c, state, results, outcome));
+    fmt::print("{}", run_text(c, state, results, outcome));
   return outcome.exit_code;
+}
+
+int run_case(const RunOptions& options) {
+  CaseFile file = read_case(options.case_file, options.overrides);
+  State state = initial_state(file.c, file.warnings);
+  if (!options.quiet) print_warnings(file.warnings);
+  std::optional<fs::path> output;
+  if (!options.output.empty()) output = options.output;
+  ResultsFolder folder = open_results(file.c, text_with_overrides(file, options.overrides), resolved_case(file.c), output,
+                                      name_of(options.case_file));
+  folder.warnings.insert(folder.warnings.end(), file.warnings.begin(), file.warnings.end());
+  return run_to_end(file.c, state, {}, folder, options);
+}
+
+int resume(const RunOptions& options, const std::string& from) {
+  std::optional<fs::path> checkpoint, output;
+  if (!from.empty()) checkpoint = from;
+  if (!options.output.empty()) output = options.output;
+  Resumed r = resume_run(options.case_file, checkpoint, output);
+  if (!options.quiet) fmt::print(stderr, "going on from {}\n", r.checkpoint.string());
+  return run_to_end(r.c, r.state, std::move(r.results), r.folder, options);
 }
 
 int check(const RunOptions& options) {
@@ -272,10 +293,12 @@ int dispatch(int argc, char** argv) {
   CLI::App app{"Granular media with two fluids in their pores, grain by grain and pore by pore.", "puadem"};
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
-  app.footer("Exit codes: 0 ok, 1 wrong input, 2 the physics stopped or [expected] failed, 3 interrupted, 4 internal error.");
+  app.footer(
+      "Exit codes: 0 ok, 1 wrong input, 2 the physics stopped or [expected] failed, 3 interrupted but resumable, 4 internal "
+      "error.");
 
   RunOptions options;
-  std::string name, target, word, path;
+  std::string name, target, word, path, checkpoint;
   bool markdown = false;
   CLI::App* new_verb = app.add_subcommand("new", "start from a shipped case");
   new_verb->add_option("template", name, "name of the case; none: list them");
@@ -291,13 +314,20 @@ int dispatch(int argc, char** argv) {
         ->take_all();
   }
   run_verb->add_option("--output", options.output, "folder for the results; none: a new one in runs/");
-  run_verb
-      ->add_option(
-          "--threads", options.threads,
-          "number of threads; default: one for every 5,000 grains, as far as the machine has them. Results do not depend on it")
-      ->check(CLI::Range(0, 4096));
-  run_verb->add_flag("--quiet", options.quiet, "print errors only");
-  run_verb->add_flag("--json", options.json, "print the results as JSON");
+  CLI::App* resume_verb = app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+  resume_verb->add_option("run", options.case_file, "folder of the run")->required();
+  resume_verb->add_option("--from", checkpoint, "one of its checkpoints in place of the last");
+  resume_verb->add_option("--output", options.output, "new folder: go on in a copy; none: in the folder itself");
+  for (CLI::App* verb : {run_verb, resume_verb}) {
+    verb->add_option(
+            "--threads", options.threads,
+            "number of threads; default: one for every 5,000 grains, as far as the machine has them. Results do not depend on it")
+        ->check(CLI::Range(0, 4096));
+    verb->add_option("--time-limit", options.time_limit, "seconds of wall time after which the run writes a checkpoint and stops")
+        ->check(CLI::PositiveNumber);
+    verb->add_flag("--quiet", options.quiet, "print errors only");
+    verb->add_flag("--json", options.json, "print the results as JSON");
+  }
 
   CLI::App* keys_verb = app.add_subcommand("keys", "describe the keys of a case file");
   keys_verb->add_option("word", word, "only keys whose name or help has this word");
@@ -337,6 +367,7 @@ int dispatch(int argc, char** argv) {
   }
   if (check_verb->parsed()) return check(options);
   if (run_verb->parsed()) return run_case(options);
+  if (resume_verb->parsed()) return resume(options, checkpoint);
   if (keys_verb->parsed()) fmt::print("{}", markdown ? keys_markdown() : keys_text(word));
   if (info_verb->parsed()) fmt::print("{}", inspect(path));
   if (convert_verb->parsed()) return convert_file(conversion);

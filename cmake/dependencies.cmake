@@ -11,6 +11,9 @@ target_include_directories(puadem_flow SYSTEM PRIVATE ${CHOLMOD_INCLUDE} ${HYPRE
 target_link_libraries(puadem_flow PRIVATE ${CHOLMOD_LIBRARY} ${HYPRE_LIBRARY} MPI::MPI_CXX ${CMAKE_DL_LIBS})
 find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)  # io/toml_tree.cpp
 target_include_directories(puadem_io SYSTEM PRIVATE ${TOMLPLUSPLUS_INCLUDE})
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)   # io/hdf5_file.cpp
+target_link_libraries(puadem_io PRIVATE PkgConfig::HDF5)
 find_package(CLI11 REQUIRED)                            # app/puadem.cpp
 include(cmake/report.cmake)
 include(cmake/build_info.cmake)         # last: it names the versions found

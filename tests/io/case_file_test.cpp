@@ -237,7 +237,7 @@ bool same(const Case& a, const Case& b) {
   const auto& [size, shape, periodic] = domain;
   const auto& [file, count, grading, material, mixture, cloud, clump_size] = grains;
   const auto& [by, classes, table, lognormal] = grading;
-  const auto& [fields, fields_every, fields_count, history_rows, fields_at] = output;
+  const auto& [fields, fields_every, fields_count, history_rows, fields_at, checkpoints, checkpoint_every] = output;
   const auto& [gravity, safety] = motion;
   return title == b.title && seed == b.seed && size == b.domain.size && shape == b.domain.shape &&
          periodic == b.domain.periodic && file == b.grains.file && count == b.grains.count && by == b.grains.grading.by &&
@@ -247,7 +247,8 @@ bool same(const Case& a, const Case& b) {
          same(materials, b.materials) && same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) &&
          same(stages, b.stages) && fields == b.output.fields && fields_every == b.output.fields_every &&
          fields_count == b.output.fields_count && history_rows == b.output.history_rows && gravity == b.motion.gravity &&
-         fields_at.saturation == b.output.fields_at.saturation && safety == b.motion.safety && same(overlays, b.overlays) &&
+         fields_at.saturation == b.output.fields_at.saturation && checkpoints == b.output.checkpoints &&
+         checkpoint_every == b.output.checkpoint_every && safety == b.motion.safety && same(overlays, b.overlays) &&
          std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {
            return x.first == y.first && x.second.low == y.second.low && x.second.high == y.second.high;
          });

@@ -84,15 +84,18 @@ TEST(TwoPhaseKeys, FillEveryField) {
 }
 
 TEST(TwoPhaseKeys, ComeBackFromTheResolvedCase) {
-  for (const std::string& text :
-       {everything, bed + "path = [400, 1300]\nstep = 50\nhold = \"10 ms\"\n", bed + "withdrawal = \"2 mm3/s\"\nduration = 1\n",
-        bed + "capillary_number = 1e-4\nduration = 1\n", bed + "water_pressure = \"-3 kPa\"\nduration = \"1 s\"\n"}) {
+  for (const std::string& text : {everything, bed + "path = [400, 1300]\nstep = 50\nhold = \"10 ms\"\n",
+                                  bed + "withdrawal = \"2 mm3/s\"\nduration = 1\ninitial_air_fraction = 0.5\n",
+                                  bed + "capillary_number = 1e-4\nduration = 1\ninitial_air_fraction = 0.5\n",
+                                  bed + "water_pressure = \"-3 kPa\"\nduration = \"1 s\"\n"}) {
     const std::string resolved = resolved_case(parse_case(text, "case.toml", "/study").c);
     EXPECT_EQ(resolved_case(parse_case(resolved, "resolved", "/elsewhere").c), resolved);
   }
   EXPECT_THAT(stage_of(bed + "water_pressure = \"-3 kPa\"\nduration = 1\n").water_pressure, ElementsAre(-3000.0));
-  EXPECT_EQ(stage_of(bed + "water_pressure = []\ncapillary_number = 1e-4\nduration = 1\n").capillary_number, 1e-4);
-  EXPECT_EQ(stage_of(bed + "withdrawal = \"2 mm3/s\"\nduration = 1\n").withdrawal, 2e-9);
+  EXPECT_EQ(
+      stage_of(bed + "water_pressure = []\ncapillary_number = 1e-4\nduration = 1\ninitial_air_fraction = 0.5\n").capillary_number,
+      1e-4);
+  EXPECT_EQ(stage_of(bed + "withdrawal = \"2 mm3/s\"\nduration = 1\ninitial_air_fraction = 0.5\n").withdrawal, 2e-9);
 }
 
 std::string error_of(const std::string& keys) {
@@ -114,6 +117,7 @@ TEST(TwoPhaseKeys, WhatCannotBeIsRefused) {
            Wrong{"duration = 1\n", "needs one of path, water_pressure, withdrawal, capillary_number to drive the flow, not none"},
            Wrong{"path = [400]\nwithdrawal = 1e-9\n", "to drive the flow, not several"},
            Wrong{"water_pressure = -3000\n", "needs a duration"},
+           Wrong{"withdrawal = 1e-9\nduration = 1\n", "withdrawal needs initial_air_fraction"},
            Wrong{"path = [400, 800]\nduration = 1\n", "duration is not used with a path"},
            Wrong{"path = [400, 400]\n", "must differ from the one before"},
            Wrong{"withdrawal = 1e-9\nduration = 1\nhold = 1\n", "hold is used with a path only"},

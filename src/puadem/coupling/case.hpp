@@ -182,6 +182,9 @@ struct OutputOptions {
   int fields_count = 10;   ///< sets of files of a stage that loads the grains
   int history_rows = 200;  ///< of a stage that loads the grains, or of one with two fluids that move
   FieldsAt fields_at;
+  enum class Checkpoints { latest, all };
+  Checkpoints checkpoints = Checkpoints::latest;  ///< those that stay: the last two, until the run is at its end; or all
+  double checkpoint_every = 300.0;                ///< of wall time [s]
 };
 
 /// A bound on a named result, checked at the end of a run.

@@ -33,6 +33,11 @@ struct FlowPattern {
   BoxCount mostly, projected;  ///< pixels mostly invaded, and those with any invaded pore
 };
 
+/// Volumes of both fluids [m3].
+struct FlowVolumes {
+  double wetting = 0.0, nonwetting = 0.0;
+};
+
 /// What a stage leaves behind.
 struct FlowRecord {
   std::string stage;

@@ -43,15 +43,6 @@ struct LoadingProgram {
   double inertial_number = 0.0;    ///< at that rate and pressure
 };
 
-/// What the rates of a program are judged by.
-struct LoadingScale {
-  double diameter = 0.0;        ///< mean of the grains [m]
-  double density = 0.0;         ///< of the solid [kg/m3]
-  double youngs_modulus = 0.0;  ///< [Pa]
-  Vec3 size;                    ///< of the box [m]
-  Vec3 stress;                  ///< along the axes at the start [Pa]
-};
-
 /// What to say of a program whose inertial number is too large.
 std::string inertia_warning(const LoadingProgram& program);
 

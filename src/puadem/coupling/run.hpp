@@ -23,25 +23,6 @@ struct Progress {
   double porosity = 0.0;            ///< of the region a compaction aims at [-]
 };
 
-/// Watches a run. Every call gets the state as const: output cannot change physics. Empty functions
-/// are skipped. `progress` returning false asks the run to stop at the next safe place.
-struct Observer {
-  std::function<bool(const Progress&)> progress;
-  std::function<void(std::string_view)> message;
-  std::function<void(const State&)>
-      packed;  ///< a stage has moved the grains for good; where the next needs one, their network is made
-  std::function<void(const State&, const HistoryRow&)> history;  ///< a row of a stage that loads the grains
-  std::function<void(const State&, const DrivenFlow&, const PermeabilityResult&)> permeability;  ///< a stage has measured it
-  std::function<void(const State&, const RetentionRow&)> equilibrium;                            ///< one retention row is reached
-  std::function<void(const State&, const InvasionEvent&)> event;                           ///< one invasion event has happened
-  std::function<void(const State&, const TwoPhaseModel&, const FlowRow&)> flow;            ///< a row of two fluids that move
-  std::function<void(const State&, const TwoPhaseModel&, double saturation)> flow_fields;  ///< a state worth its fields
-  std::function<void(const State&, const TwoPhaseEvent&)> flow_event;
-  std::function<void(const State&, const SaturatedRow&)> saturated;  ///< a row of a stage "saturated-flow"
-  std::function<void(const State&, const SaturatedRecord&)>
-      saturated_fields;  ///< a state worth its fields; its profile is the last
-};
-
 /// Fluid volumes that a stage moved, summed event by event, against what the state holds.
 struct Ledger {
   double void_volume = 0;                                                                  ///< of the counted pores [m3]
@@ -59,8 +40,30 @@ struct RunResults {
   bool interrupted = false;  ///< the observer asked to stop before the end
 };
 
-/// All stages of a case.
+/// Watches a run. Every call gets the state as const: output cannot change physics. Empty functions
+/// are skipped. `progress` returning false asks the run to stop.
+struct Observer {
+  std::function<bool(const Progress&)> progress;
+  /// The run could go on from this state and these results. `is_last`: it is about to stop, because `progress` asked for it.
+  std::function<void(const State&, const RunResults&, bool is_last)> safe_place;
+  std::function<void(std::string_view)> message;
+  std::function<void(const State&)>
+      packed;  ///< a stage has moved the grains for good; where the next needs one, their network is made
+  std::function<void(const State&, const HistoryRow&)> history;  ///< a row of a stage that loads the grains
+  std::function<void(const State&, const DrivenFlow&, const PermeabilityResult&)> permeability;  ///< a stage has measured it
+  std::function<void(const State&, const RetentionRow&)> equilibrium;                            ///< one retention row is reached
+  std::function<void(const State&, const InvasionEvent&)> event;                           ///< one invasion event has happened
+  std::function<void(const State&, const TwoPhaseModel&, const FlowRow&)> flow;            ///< a row of two fluids that move
+  std::function<void(const State&, const TwoPhaseModel&, double saturation)> flow_fields;  ///< a state worth its fields
+  std::function<void(const State&, const TwoPhaseEvent&)> flow_event;
+  std::function<void(const State&, const SaturatedRow&)> saturated;  ///< a row of a stage "saturated-flow"
+  std::function<void(const State&, const SaturatedRecord&)>
+      saturated_fields;  ///< a state worth its fields; its profile is the last
+};
+
+/// The stages of a case from `state.position` on: all of them, or what is left of a run whose state and results at a
+/// safe place are given. It then goes on as it would have, to the last bit.
 /// @throws InputError, NumericalError
-RunResults run(const Case& c, State& state, const Observer& observer);
+RunResults run(const Case& c, State& state, const Observer& observer, RunResults results = {});
 
 }  // namespace puadem

@@ -27,13 +27,9 @@ struct Loading {
   const Observer& observer;
   std::string name;
   std::string_view kind;
+  RunResults& results;
   GrainSystem& system;
-  HistoryStart start;
-  double longest_step = 0.0;
-  double leg_began = 0.0;  ///< [s]
-  Vec3 leg_strain, leg_stress;
-  long first_step = 0;
-  long last_row_step = -1;
+  LoadingProgress& at;
 };
 
 void keep_in_step(Loading& l) {
@@ -46,21 +42,21 @@ double leg_fraction(const Loading& l, const LoadingLeg& leg, const HistoryRow& r
   double done = 0.0;
   switch (leg.end) {
     case LoadingLeg::End::strain:
-      done = (row.strain.z - l.leg_strain.z) / (leg.target - l.leg_strain.z);
+      done = (row.strain.z - l.at.leg_strain.z) / (leg.target - l.at.leg_strain.z);
       break;
     case LoadingLeg::End::axial_stress:
-      done = row.stress.z > 0.0 && l.leg_stress.z > 0.0
-                 ? std::log(row.stress.z / l.leg_stress.z) / std::log(leg.target / l.leg_stress.z)
-                 : (row.stress.z - l.leg_stress.z) / (leg.target - l.leg_stress.z);
+      done = row.stress.z > 0.0 && l.at.leg_stress.z > 0.0
+                 ? std::log(row.stress.z / l.at.leg_stress.z) / std::log(leg.target / l.at.leg_stress.z)
+                 : (row.stress.z - l.at.leg_stress.z) / (leg.target - l.at.leg_stress.z);
       break;
     case LoadingLeg::End::shear_strain:
       done = row.shear_strain / leg.target;
       break;
     case LoadingLeg::End::time:
-      done = (row.time - l.leg_began) / leg.target;
+      done = (row.time - l.at.leg_began) / leg.target;
       break;
     case LoadingLeg::End::rest:
-      done = leg.target > 0.0 ? (row.time - l.leg_began) / leg.target : l.program.unbalanced / row.unbalanced;
+      done = leg.target > 0.0 ? (row.time - l.at.leg_began) / leg.target : l.program.unbalanced / row.unbalanced;
       break;
   }
   return std::isfinite(done) ? std::clamp(done, 0.0, 1.0) : 0.0;
@@ -79,7 +75,7 @@ bool is_at_rest(const Loading& l, const LoadingLeg& leg, const HistoryRow& row) 
 bool has_ended(const Loading& l, const LoadingLeg& leg, const HistoryRow& row) {
   switch (leg.end) {
     case LoadingLeg::End::strain:
-      return (row.strain.z - leg.target) * (leg.target - l.leg_strain.z) >= 0.0;
+      return (row.strain.z - leg.target) * (leg.target - l.at.leg_strain.z) >= 0.0;
     case LoadingLeg::End::axial_stress:
       ensure(std::abs(row.strain.z) < 1.0,
              "step {}: stage {}: an axial stress of {:.4g} Pa is not reached at a strain of {:.3g}; it is {:.4g} Pa", row.step,
@@ -88,25 +84,24 @@ bool has_ended(const Loading& l, const LoadingLeg& leg, const HistoryRow& row) {
     case LoadingLeg::End::shear_strain:
       return row.shear_strain >= leg.target;
     case LoadingLeg::End::time:
-      return row.time - l.leg_began >= leg.target;
+      return row.time - l.at.leg_began >= leg.target;
     case LoadingLeg::End::rest:
-      return is_at_rest(l, leg, row) || (leg.target > 0.0 && row.time - l.leg_began >= leg.target);
+      return is_at_rest(l, leg, row) || (leg.target > 0.0 && row.time - l.at.leg_began >= leg.target);
   }
   return true;
 }
 
 void write_row(Loading& l, HistoryRow row) {
-  if (row.step == l.last_row_step) return;
-  l.last_row_step = row.step;
+  if (row.step == l.at.last_row_step) return;
+  l.at.last_row_step = row.step;
   row.stage = l.name;
-  complete_row(l.system, l.start, row);
+  complete_row(l.system, l.at.start, row);
   keep_in_step(l);
   l.state.history.push_back(row);
   if (l.observer.history) l.observer.history(l.state, row);
 }
 
 void tell_progress(Loading& l, const HistoryRow& row) {
-  if (!l.observer.progress) return;
   Progress progress;
   progress.stage = l.kind;
   progress.fraction = row.fraction;
@@ -115,45 +110,47 @@ void tell_progress(Loading& l, const HistoryRow& row) {
   progress.unbalanced = row.unbalanced;
   progress.stress = row.mean;
   progress.porosity = row.porosity;
-  if (l.observer.progress(progress)) return;
-  keep_in_step(l);
-  throw Interrupted{};
+  try {
+    tell_at_safe_place(l.observer, progress, l.state, l.results);
+  } catch (const Interrupted&) {
+    keep_in_step(l);
+    throw;
+  }
 }
 
-void run_leg(Loading& l, int number) {
-  const LoadingLeg& leg = l.program.legs[to_size(number)];
+void run_leg(Loading& l) {
+  LoadingProgress& at = l.at;
+  const LoadingLeg& leg = l.program.legs[to_size(at.leg)];
   GrainSystem& s = l.system;
   const int legs = size_of(l.program.legs), rows = std::max(l.c.output.history_rows / legs, 1);
   const bool is_open_ended = leg.end == LoadingLeg::End::rest && leg.target == 0.0;
-  BoxServo servo;
-  int rows_written = 0;
-  l.leg_began = l.state.time;
-  for (long step = 0;; step += leg.box.interval) {
+  if (at.leg_step == 0) at.leg_began = l.state.time;
+  for (;; at.leg_step += leg.box.interval) {
     evaluate_forces(s);
     const GrainMeasures m = measure(s);
-    HistoryRow row = history_row(s, m, l.start, l.state.time);
-    if (step == 0) {
-      l.leg_strain = row.strain;
-      l.leg_stress = row.stress;
+    HistoryRow row = history_row(s, m, at.start, l.state.time);
+    if (at.leg_step == 0) {
+      at.leg_strain = row.strain;
+      at.leg_stress = row.stress;
     }
     const double done = leg_fraction(l, leg, row);
-    row.fraction = (number + done) / legs;
+    row.fraction = (at.leg + done) / legs;
     const bool ended = has_ended(l, leg, row);
-    if (is_open_ended ? step % rest_row_interval == 0 : done * rows >= rows_written) {
+    if (is_open_ended ? at.leg_step % rest_row_interval == 0 : done * rows >= at.leg_rows) {
       write_row(l, row);
-      rows_written = static_cast<int>(done * rows) + 1;
+      at.leg_rows = static_cast<int>(done * rows) + 1;
     }
-    if (step % check_interval == 0 || ended) tell_progress(l, row);
+    if (at.leg_step % check_interval == 0 || ended) tell_progress(l, row);
     if (ended) {
-      row.fraction = (number + 1.0) / legs;
+      row.fraction = (at.leg + 1.0) / legs;
       write_row(l, row);
       return;
     }
-    ensure(step < most_steps,
+    ensure(at.leg_step < most_steps,
            "step {}: stage {} is not at its end after {} steps: mean stress {:.4g} Pa, unbalanced force {:.2g}", s.steps, l.name,
-           step, row.mean, row.unbalanced);
-    if (step % check_interval == 0) renew_time_step(s, l.longest_step);
-    steer_box(s, leg.box, m, servo);
+           at.leg_step, row.mean, row.unbalanced);
+    if (at.leg_step % check_interval == 0) renew_time_step(s, at.longest_step);
+    steer_box(s, leg.box, m, at.servo);
     advance_grains(s, leg.box.interval);
     l.state.time += leg.box.interval * s.time_step;
   }
@@ -188,7 +185,7 @@ void tell_end(const Loading& l, const Stage& stage) {
   const TimeStepLimit limit = critical_time_step(l.system);
   const HistoryRow& last = l.state.history.back();
   if (limit.grain >= 0)
-    l.observer.message(fmt::format("stage {}: {} steps, the last of {:.3g} s; {}", l.name, last.step - l.first_step,
+    l.observer.message(fmt::format("stage {}: {} steps, the last of {:.3g} s; {}", l.name, last.step - l.at.first_step,
                                    last.time_step, time_step_text(l.system, limit)));
   if (std::holds_alternative<SettleStage>(stage) && !(last.unbalanced < l.program.unbalanced && last.coordination > 0.0))
     l.observer.message(
@@ -196,24 +193,40 @@ void tell_end(const Loading& l, const Stage& stage) {
                     last.unbalanced));
 }
 
+LoadingProgress begin_stage(const Case& c, int index, State& state, const Observer& observer) {
+  const Stage& stage = c.stages[to_size(index)];
+  GrainSystem& s = ready_grains(c, state, observer);
+  const GrainMeasures m = measure(s);
+  LoadingProgress at;
+  at.scale = loading_scale(c, s, state.particles, m);
+  at.first_step = s.steps;
+  at.first_row = size_of(state.history);
+  const LoadingProgram program = program_of(stage, c, at.scale);
+  if (observer.message && program.inertial_number > quasi_static_inertial_number)
+    observer.message(fmt::format("warning: stage {}: {}", stage_name(c, index), inertia_warning(program)));
+  at.longest_step = s.motion.safety * critical_time_step_at(s, std::max(program.pressure, m.mean_stress));
+  s.time_step = 0.0;  // the whole share at once
+  renew_time_step(s, at.longest_step);
+  at.start = begin(s, program);
+  return at;
+}
+
 }  // namespace
 
 void run_loading_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results) {
-  GrainSystem& s = ready_grains(c, state, observer);
-  const GrainMeasures m = measure(s);
+  if (!has_begun(state)) state.position.progress = begin_stage(c, index, state, observer);
+  auto& at = std::get<LoadingProgress>(state.position.progress);
   const Stage& stage = c.stages[to_size(index)];
-  const LoadingProgram program = program_of(stage, c, loading_scale(c, s, state.particles, m));
-  Loading l{c, program, state, observer, stage_name(c, index), kind_of(stage), s, {}, 0.0, 0.0, {}, {}, s.steps, -1};
-  if (observer.message && program.inertial_number > quasi_static_inertial_number)
-    observer.message(fmt::format("warning: stage {}: {}", l.name, inertia_warning(program)));
-  l.longest_step = s.motion.safety * critical_time_step_at(s, std::max(program.pressure, m.mean_stress));
-  s.time_step = 0.0;  // the whole share at once
-  renew_time_step(s, l.longest_step);
-  l.start = begin(s, program);
-  const std::size_t first = state.history.size();
-  for (int leg = 0; leg < size_of(program.legs); ++leg) run_leg(l, leg);
-  s.energy.is_kept = false;
-  describe_loading(stage, l.name, program, std::span(state.history).subspan(first), results);
+  const LoadingProgram program = program_of(stage, c, at.scale);
+  Loading l{c, program, state, observer, stage_name(c, index), kind_of(stage), results, *state.grains, at};
+  for (; at.leg < size_of(program.legs); ++at.leg) {
+    run_leg(l);
+    at.leg_step = 0;
+    at.leg_rows = 0;
+    at.servo = {};
+  }
+  l.system.energy.is_kept = false;
+  describe_loading(stage, l.name, program, std::span(state.history).subspan(to_size(at.first_row)), results);
   tell_end(l, stage);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <ranges>
 #include <span>
 
@@ -65,65 +64,68 @@ void describe_curves(const std::vector<RetentionRow>& rows, RunResults& results)
   }
 }
 
-}  // namespace
-
-void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer,
-                         RunResults& results) {
-  const auto report = [&](std::string_view name, double fraction, double pressure, double saturation) {
-    Progress progress;
-    progress.stage = name;
-    progress.fraction = fraction;
-    progress.capillary_pressure = pressure;
-    progress.saturation = saturation;
-    progress.step = size_of(state.retention);
-    if (observer.progress && !observer.progress(progress)) throw Interrupted{};
-  };
-
-  report("network", 0.0, 0.0, 1.0);
+RetentionProgress begin(const Case& c, const RetentionStage& stage, State& state, const Observer& observer, RunResults& results) {
+  Progress progress;
+  progress.stage = "network";
+  if (observer.progress && !observer.progress(progress)) throw Interrupted{};
   if (!c.network_file) state.network = checked_network(c, state, observer);
   state.invasion = start_invasion(state.network, c.fluids, stage.invasion);
   state.saturation = saturation(state.network, *state.invasion);
   state.retention.clear();
   describe_network(state.network, *state.invasion, results);
   if (observer.packed) observer.packed(state);
+  return {{}, counted_sum(*state.invasion, state.invasion->wetting_volume)};
+}
 
-  InvasionState& invasion = *state.invasion;
-  results.ledger.void_volume = invasion.void_volume;
-  results.ledger.wetting_start = counted_sum(invasion, invasion.wetting_volume);
-  results.ledger.nonwetting_start = invasion.void_volume - results.ledger.wetting_start;
+void describe_ledger(const State& state, const RetentionProgress& at, RunResults& results) {
+  const InvasionState& invasion = *state.invasion;
+  Ledger& ledger = results.ledger;
+  ledger.void_volume = invasion.void_volume;
+  ledger.wetting_start = at.wetting_start;
+  ledger.nonwetting_start = invasion.void_volume - at.wetting_start;
+  ledger.wetting_in = invasion.ledger.wetting_in.value();
+  ledger.wetting_out = invasion.ledger.wetting_out.value();
+  ledger.nonwetting_in = invasion.ledger.nonwetting_in.value();
+  ledger.nonwetting_out = invasion.ledger.nonwetting_out.value();
+  ledger.wetting_end = counted_sum(invasion, invasion.wetting_volume);
+  std::vector<double> nonwetting(state.network.pore_volume);
+  for (std::size_t p = 0; p < nonwetting.size(); ++p) nonwetting[p] -= invasion.wetting_volume[p];
+  ledger.nonwetting_end = counted_sum(invasion, nonwetting);
+  results.scalars["ledger_wetting_error"] = ledger.wetting_error();
+  results.scalars["ledger_nonwetting_error"] = ledger.nonwetting_error();
+}
 
+}  // namespace
+
+void run_retention_stage(const Case& c, const RetentionStage& stage, State& state, const Observer& observer,
+                         RunResults& results) {
+  if (!has_begun(state)) state.position.progress = begin(c, stage, state, observer, results);
+  auto& at = std::get<RetentionProgress>(state.position.progress);
   RetentionPath path;
   path.turning_points = stage.path;
   path.step = stage.step;
   if (state.particles.size() > 0) path.mean_grain_radius = statistics_of(state.particles.radius).mean_radius;
-  const auto stops = static_cast<double>(retention_stops(path).size());
-  std::array<int, invasion_event_kinds> events{};
-  follow_path(
-      state.network, c.fluids, path, invasion,
-      [&](const RetentionRow& row) {
-        state.retention.push_back(row);
-        state.saturation = saturation(state.network, invasion);
-        if (observer.equilibrium) observer.equilibrium(state, row);
-        report("retention", size_of(state.retention) / stops, row.capillary_pressure, row.saturation);
-        return true;
-      },
-      [&](const InvasionEvent& event) {
-        ++events[static_cast<std::size_t>(event.kind)];
-        if (observer.event) observer.event(state, event);
-      });
-
-  results.ledger.wetting_in = invasion.ledger.wetting_in.value();
-  results.ledger.wetting_out = invasion.ledger.wetting_out.value();
-  results.ledger.nonwetting_in = invasion.ledger.nonwetting_in.value();
-  results.ledger.nonwetting_out = invasion.ledger.nonwetting_out.value();
-  results.ledger.wetting_end = counted_sum(invasion, invasion.wetting_volume);
-  std::vector<double> nonwetting(state.network.pore_volume);
-  for (std::size_t p = 0; p < nonwetting.size(); ++p) nonwetting[p] -= invasion.wetting_volume[p];
-  results.ledger.nonwetting_end = counted_sum(invasion, nonwetting);
-  results.scalars["ledger_wetting_error"] = results.ledger.wetting_error();
-  results.scalars["ledger_nonwetting_error"] = results.ledger.nonwetting_error();
+  const std::vector<RetentionStop> stops = retention_stops(path);
+  for (int k = size_of(state.retention); k < size_of(stops); ++k) {
+    const RetentionRow row =
+        follow_to(state.network, c.fluids, path, stops[to_size(k)], k, *state.invasion, [&](const InvasionEvent& event) {
+          ++at.events[static_cast<std::size_t>(event.kind)];
+          if (observer.event) observer.event(state, event);
+        });
+    state.retention.push_back(row);
+    state.saturation = saturation(state.network, *state.invasion);
+    if (observer.equilibrium) observer.equilibrium(state, row);
+    Progress progress;
+    progress.stage = "retention";
+    progress.fraction = (k + 1.0) / size_of(stops);
+    progress.capillary_pressure = row.capillary_pressure;
+    progress.saturation = row.saturation;
+    progress.step = k + 1;
+    tell_at_safe_place(observer, progress, state, results);
+  }
+  describe_ledger(state, at, results);
   for (int k = 0; k < invasion_event_kinds; ++k)
-    results.scalars[fmt::format("events_{}", event_name(static_cast<InvasionEventKind>(k)))] = events[to_size(k)];
+    results.scalars[fmt::format("events_{}", event_name(static_cast<InvasionEventKind>(k)))] = at.events[to_size(k)];
   describe_curves(state.retention, results);
 }
 

@@ -76,13 +76,8 @@ struct Flowing {
   TwoPhaseModel model;
   double area;  ///< A_0 [m2]
   FlowRecord& record;
-  double done = 0.0;              ///< share of the stage, as well as it is known
-  double saturation = 1.0;        ///< after the last step
-  std::vector<double> awaited{};  ///< saturations of the pictures still to come
-  long last_picture = -1;         ///< step of it
-  bool breaks_through = false;
-  bool ends = false;
-  std::optional<TwoPhaseState> before_jump{};  ///< while one is awaited
+  RunResults& results;
+  TwoPhaseProgress& at;
 
   TwoPhaseState& flow() { return *state.flow; }
 };
@@ -97,21 +92,21 @@ void add_row(Flowing& f) {
 }
 
 void take_picture(Flowing& f) {
-  if (f.last_picture == f.flow().steps) return;
-  f.last_picture = f.flow().steps;
+  if (f.at.last_picture == f.flow().steps) return;
+  f.at.last_picture = f.flow().steps;
   f.state.saturation = saturation(f.state.network, f.flow());
-  if (f.observer.flow_fields) f.observer.flow_fields(f.state, f.model, f.saturation);
+  if (f.observer.flow_fields) f.observer.flow_fields(f.state, f.model, f.at.saturation);
 }
 
 void report_progress(Flowing& f) {
   Progress progress;
   progress.stage = TwoPhaseStage::kind;
-  progress.fraction = f.done;
+  progress.fraction = f.at.done;
   progress.step = f.flow().steps;
   progress.time = f.flow().time;
-  progress.saturation = f.saturation;
+  progress.saturation = f.at.saturation;
   if (!f.record.rows.empty()) progress.capillary_pressure = f.record.rows.back().capillary_pressure;
-  if (f.observer.progress && !f.observer.progress(progress)) throw Interrupted{};
+  tell_at_safe_place(f.observer, progress, f.state, f.results);
 }
 
 /// Air is beside a reservoir of water.
@@ -124,43 +119,43 @@ bool reaches_water(const Flowing& f, int pore) {
 void note_event(Flowing& f, const TwoPhaseEvent& event) {
   if (f.observer.flow_event) f.observer.flow_event(f.state, event);
   if (event.kind == InvasionEventKind::drain && !f.record.breakthrough_time && reaches_water(f, event.pore))
-    f.breaks_through = true;
+    f.at.breaks_through = true;
 }
 
 void note_breakthrough(Flowing& f) {
-  f.breaks_through = false;
+  f.at.breaks_through = false;
   f.record.breakthrough_time = f.flow().time;
-  f.record.breakthrough_saturation = f.saturation;
+  f.record.breakthrough_saturation = f.at.saturation;
   if (is_thin(f.state.domain)) f.record.pattern = flow_pattern(f.state.network, f.state.domain, f.model, f.flow());
   add_row(f);
-  f.ends = f.ends || f.stage.until_breakthrough;
+  f.at.ends = f.at.ends || f.stage.until_breakthrough;
 }
 
 /// Records the jump that comes next, once air has entered so much.
 void look_for_jump(Flowing& f) {
-  if (!f.stage.record_jump || f.record.jump || f.saturation > *f.stage.record_jump) return;
-  const bool has_jumped = f.before_jump && f.flow().nonwetting.holds != f.before_jump->nonwetting.holds;
+  if (!f.stage.record_jump || f.record.jump || f.at.saturation > *f.stage.record_jump) return;
+  const bool has_jumped = f.at.before_jump && f.flow().nonwetting.holds != f.at.before_jump->nonwetting.holds;
   if (has_jumped)
-    f.record.jump = record_haines_jump(f.state.network, f.model, *f.before_jump, f.flow().time - f.before_jump->time);
-  f.before_jump = f.record.jump ? std::nullopt : std::optional(f.flow());
+    f.record.jump = record_haines_jump(f.state.network, f.model, *f.at.before_jump, f.flow().time - f.at.before_jump->time);
+  f.at.before_jump = f.record.jump ? std::nullopt : std::optional(f.flow());
 }
 
 /// After every step: rows and pictures where they are due, and whether the stage goes on.
 bool note_step(Flowing& f) {
-  const double before = f.saturation;
-  f.saturation = totals(f.state.network, f.model, f.flow()).saturation;
-  if (f.stage.duration) f.done = f.flow().time / *f.stage.duration;
-  if (f.stage.until_saturation > 0.0) f.done = std::max(f.done, (1.0 - f.saturation) / (1.0 - f.stage.until_saturation));
-  f.ends = f.ends || f.saturation <= f.stage.until_saturation;
-  if (f.breaks_through) note_breakthrough(f);
+  const double before = f.at.saturation;
+  f.at.saturation = totals(f.state.network, f.model, f.flow()).saturation;
+  if (f.stage.duration) f.at.done = f.flow().time / *f.stage.duration;
+  if (f.stage.until_saturation > 0.0) f.at.done = std::max(f.at.done, (1.0 - f.at.saturation) / (1.0 - f.stage.until_saturation));
+  f.at.ends = f.at.ends || f.at.saturation <= f.stage.until_saturation;
+  if (f.at.breaks_through) note_breakthrough(f);
   const FlowRow last = f.record.rows.back();
   const bool is_late = f.stage.duration && f.flow().time - last.time >= *f.stage.duration / f.c.output.history_rows;
-  if (is_late || std::abs(f.saturation - last.saturation) >= 1.0 / f.c.output.history_rows) add_row(f);
-  const auto passed = [&](double s) { return (before - s) * (f.saturation - s) <= 0.0 && before != f.saturation; };
-  if (std::erase_if(f.awaited, passed) > 0) take_picture(f);
+  if (is_late || std::abs(f.at.saturation - last.saturation) >= 1.0 / f.c.output.history_rows) add_row(f);
+  const auto passed = [&](double s) { return (before - s) * (f.at.saturation - s) <= 0.0 && before != f.at.saturation; };
+  if (std::erase_if(f.at.awaited, passed) > 0) take_picture(f);
   look_for_jump(f);
   report_progress(f);
-  return !f.ends;
+  return !f.at.ends;
 }
 
 /// The capillary pressures of the path one after the other, each for its time or until the fluids rest.
@@ -169,13 +164,18 @@ void follow_pressures(Flowing& f, const TwoPhaseCallbacks& callbacks) {
   // Newton's method leaves saturations within its tolerance; rest is no less than that.
   RestCriterion rest;
   rest.saturation_change = std::max(rest.saturation_change, 10.0 * f.model.options.steps.tolerance);
-  for (int k = 0; k < size_of(stops) && !f.ends; ++k) {
-    f.model.boundaries[water_boundary].schedule = Schedule::constant(f.stage.air_pressure - stops[to_size(k)].capillary_pressure);
-    if (f.stage.hold)
-      advance_two_phase(f.state.network, f.model, *f.stage.hold, {}, f.flow(), callbacks);
-    else
+  TwoPhaseProgress& at = f.at;
+  for (; at.stop < size_of(stops) && !at.ends; ++at.stop) {
+    const double pressure = f.stage.air_pressure - stops[to_size(at.stop)].capillary_pressure;
+    f.model.boundaries[water_boundary].schedule = Schedule::constant(pressure);
+    if (f.stage.hold) {
+      if (!at.stop_end) at.stop_end = f.flow().time + *f.stage.hold;
+      advance_two_phase_to(f.state.network, f.model, *at.stop_end, {}, f.flow(), callbacks);
+      at.stop_end.reset();
+    } else {
       equilibrate_two_phase(f.state.network, f.model, rest, f.flow(), callbacks);
-    f.done = (k + 1.0) / size_of(stops);
+    }
+    at.done = (at.stop + 1.0) / size_of(stops);
     add_row(f);
   }
 }
@@ -192,34 +192,53 @@ TwoPhaseModel make_model(const Case& c, const TwoPhaseStage& stage, const State&
                               std::move(films));
 }
 
+/// Network and fluids at the start.
+void begin(const Case& c, int index, State& state, const Observer& observer) {
+  if (!c.network_file) state.network = checked_network(c, state, observer, true);
+  state.flows.emplace_back().stage = stage_name(c, index);
+  const TwoPhaseModel model = make_model(c, std::get<TwoPhaseStage>(c.stages[to_size(index)]), state);
+  state.flow = start_two_phase(state.network, model);
+  state.saturation = saturation(state.network, *state.flow);
+  TwoPhaseProgress at;
+  at.saturation = totals(state.network, model, *state.flow).saturation;
+  at.awaited = c.output.fields_at.saturation;
+  at.start = flow_volumes(state.network, model, *state.flow);
+  state.position.progress = std::move(at);
+  if (observer.packed) observer.packed(state);
+}
+
 }  // namespace
 
 void run_two_phase_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results) {
   const auto& stage = std::get<TwoPhaseStage>(c.stages[to_size(index)]);
-  if (!c.network_file) state.network = checked_network(c, state, observer, true);
-  FlowRecord& record = state.flows.emplace_back();
-  record.stage = stage_name(c, index);
-  Flowing f{c, stage, state, observer, make_model(c, stage, state), initial_area(stage, state.domain), record};
-  state.flow = start_two_phase(state.network, f.model);
-  state.saturation = saturation(state.network, *state.flow);
-  f.saturation = totals(state.network, f.model, *state.flow).saturation;
-  f.awaited = c.output.fields_at.saturation;
-  if (observer.packed) observer.packed(state);
-  const FlowVolumes start = flow_volumes(state.network, f.model, *state.flow);
-  add_row(f);
-  report_progress(f);
+  const bool begins = !has_begun(state);
+  if (begins) begin(c, index, state, observer);
+  Flowing f{c,
+            stage,
+            state,
+            observer,
+            make_model(c, stage, state),
+            initial_area(stage, state.domain),
+            state.flows.back(),
+            results,
+            std::get<TwoPhaseProgress>(state.position.progress)};
+  if (begins) {
+    add_row(f);
+    report_progress(f);
+  }
 
   TwoPhaseCallbacks callbacks;
   callbacks.on_event = [&](const TwoPhaseEvent& event) { note_event(f, event); };
   callbacks.on_step = [&](const TwoPhaseState&) { return note_step(f); };
   if (!stage.path.empty())
     follow_pressures(f, callbacks);
-  else
-    advance_two_phase(state.network, f.model, *stage.duration, {}, *state.flow, callbacks);
+  else if (!f.at.ends)
+    advance_two_phase_to(state.network, f.model, *stage.duration, {}, *state.flow, callbacks);
   add_row(f);
   take_picture(f);
-  if (!record.pattern && is_thin(state.domain)) record.pattern = flow_pattern(state.network, state.domain, f.model, *state.flow);
-  describe_two_phase(f.model, state, start, f.area, results);
+  if (!f.record.pattern && is_thin(state.domain))
+    f.record.pattern = flow_pattern(state.network, state.domain, f.model, *state.flow);
+  describe_two_phase(f.model, state, f.at.start, f.area, results);
 }
 
 }  // namespace puadem

@@ -40,4 +40,8 @@ void describe_packing(const State& state, RunResults& results);
 /// Thrown where the observer asks to stop; `run` turns it into a result marked as interrupted.
 struct Interrupted {};
 
+/// Tells the progress at a place the run can go on from.
+/// @throws Interrupted  where the observer asks to stop
+void tell_at_safe_place(const Observer& observer, const Progress& progress, const State& state, const RunResults& results);
+
 }  // namespace puadem

@@ -6,6 +6,7 @@
 #include "puadem/coupling/flow_record.hpp"
 #include "puadem/coupling/history.hpp"
 #include "puadem/coupling/permeability_result.hpp"
+#include "puadem/coupling/run_position.hpp"
 #include "puadem/coupling/saturated_stage.hpp"
 #include "puadem/coupling/saturated_step.hpp"
 #include "puadem/dem/grain_system.hpp"
@@ -20,6 +21,7 @@ namespace puadem {
 /// A simulation: plain values, so that saving, copying and comparing it is saving, copying and
 /// comparing a value.
 struct State {
+  RunPosition position;
   double time = 0.0;  ///< [s]
   Domain domain;
   Particles particles;
@@ -36,5 +38,8 @@ struct State {
   std::vector<double> saturation;                ///< per pore, wetting fluid [-]
   std::vector<RetentionRow> retention;           ///< equilibria so far
 };
+
+/// Has the present stage begun?
+inline bool has_begun(const State& state) { return state.position.progress.index() != 0; }
 
 }  // namespace puadem

@@ -4,10 +4,7 @@
 
 namespace puadem {
 
-/// Volumes of both fluids in the counted pores [m3].
-struct FlowVolumes {
-  double wetting = 0.0, nonwetting = 0.0;
-};
+/// Volumes of both fluids in the counted pores.
 FlowVolumes flow_volumes(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state);
 
 /// What the last stage of the state found, by names that begin with the stage's, and its ledger, into the results.

@@ -61,16 +61,20 @@ std::vector<RetentionStop> retention_stops(const RetentionPath& path, double sta
   return stops;
 }
 
+RetentionRow follow_to(const PoreNetwork& network, const Fluids& fluids, const RetentionPath& path, const RetentionStop& stop,
+                       int number, InvasionState& state, const InvasionEventCallback& on_event) {
+  advance_to(network, stop.capillary_pressure, state, on_event);
+  const InvasionTotals sums = totals(network, state);
+  const double pc_star = stop.capillary_pressure * path.mean_grain_radius / fluids.surface_tension;
+  return {number, stop.branch, stop.capillary_pressure, pc_star, sums.saturation, sums.trapped_wetting, sums.trapped_nonwetting};
+}
+
 std::vector<RetentionRow> follow_path(const PoreNetwork& network, const Fluids& fluids, const RetentionPath& path,
                                       InvasionState& state, const std::function<bool(const RetentionRow&)>& on_row,
                                       const InvasionEventCallback& on_event) {
   std::vector<RetentionRow> rows;
   for (const RetentionStop& stop : retention_stops(path, state.capillary_pressure)) {
-    advance_to(network, stop.capillary_pressure, state, on_event);
-    const InvasionTotals sums = totals(network, state);
-    rows.push_back({size_of(rows), stop.branch, stop.capillary_pressure,
-                    stop.capillary_pressure * path.mean_grain_radius / fluids.surface_tension, sums.saturation,
-                    sums.trapped_wetting, sums.trapped_nonwetting});
+    rows.push_back(follow_to(network, fluids, path, stop, size_of(rows), state, on_event));
     if (on_row && !on_row(rows.back())) break;
   }
   return rows;

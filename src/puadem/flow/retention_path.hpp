@@ -27,6 +27,11 @@ struct RetentionStop {
 ///                     finite or the same as their neighbour
 std::vector<RetentionStop> retention_stops(const RetentionPath& path, double start = 0.0);
 
+/// Moves the fluids to a stop; `number` counts it in the row.
+/// @throws NumericalError  as `advance_to`
+RetentionRow follow_to(const PoreNetwork& network, const Fluids& fluids, const RetentionPath& path, const RetentionStop& stop,
+                       int number, InvasionState& state, const InvasionEventCallback& on_event = {});
+
 /// Follows a path; one row per stop.
 ///
 /// @param on_row    called at each equilibrium; false ends the path there. May be empty.

@@ -229,6 +229,12 @@ TwoPhaseState start_two_phase(const PoreNetwork& network, const TwoPhaseModel& m
 TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, double duration,
                                  std::span<const double> volume_rate, TwoPhaseState& state, const TwoPhaseCallbacks& callbacks) {
   require(std::isfinite(duration) && duration >= 0.0, "two-phase flow cannot be followed for {} s", duration);
+  return advance_two_phase_to(network, model, state.time + duration, volume_rate, state, callbacks);
+}
+
+TwoPhaseReport advance_two_phase_to(const PoreNetwork& network, const TwoPhaseModel& model, double end,
+                                    std::span<const double> volume_rate, TwoPhaseState& state,
+                                    const TwoPhaseCallbacks& callbacks) {
   require(volume_rate.empty() || size_of(volume_rate) == network.pores(), "{} volume rates are given for {} pores",
           volume_rate.size(), network.pores());
   if (!volume_rate.empty()) {
@@ -237,7 +243,7 @@ TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel
   }
   Stepper stepper = make_stepper(network, model, state, callbacks, model.options.steps.front_change);
   stepper.volume_rate = volume_rate;
-  const double end = state.time + duration;
+  state.is_settling = false;
   while (state.time < end) {
     double until = end;
     for (const FlowBoundary& boundary : model.boundaries) until = std::min(until, boundary.schedule.next_corner(state.time));
@@ -261,16 +267,21 @@ TwoPhaseReport equilibrate_two_phase(const PoreNetwork& network, const TwoPhaseM
   BoundaryValues now;
   for (const FlowBoundary& boundary : model.boundaries) now.push_back(boundary.schedule.at(state.time));
   const double longest = std::min(rest.duration * model.time_scale, longest_rest * model.shortest_time);
-  state.time_step = std::max(state.time_step, std::min(model.time_scale, longest));
-  for (int still = 0;;) {
+  if (!state.is_settling) {
+    state.time_step = std::max(state.time_step, std::min(model.time_scale, longest));
+    state.is_settling = true;
+    state.quiet_steps = 0;
+  }
+  while (state.quiet_steps < idle_events) {
     long events = 0;
     const double step = stepper.advance(
         longest, [&](double, double share) { return share < 1.0 ? between(state, model, now, share) : now; }, events);
-    if (!stepper.goes_on()) break;
     const bool arrived = between(state, model, now, 0.0) == now;
-    still = arrived && step >= longest && stepper.report.largest_change < rest.saturation_change ? still + 1 : 0;
-    if (still > 0 && (events == 0 || still == idle_events)) break;
+    const bool is_quiet = arrived && step >= longest && stepper.report.largest_change < rest.saturation_change;
+    state.quiet_steps = !is_quiet ? 0 : events == 0 ? idle_events : state.quiet_steps + 1;
+    if (!stepper.goes_on()) return stepper.report;
   }
+  state.is_settling = false;
   return stepper.report;
 }
 

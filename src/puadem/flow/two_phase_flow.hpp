@@ -98,6 +98,8 @@ struct TwoPhaseState {
   std::vector<std::array<double, 2>> boundary_inflow;  ///< per boundary: wetting and non-wetting fluid since the start [m3]
   std::vector<double> boundary_pressure;               ///< per boundary: of the reservoir [Pa]
   long steps = 0;                                      ///< accepted since the start
+  bool is_settling = false;                            ///< a call of `equilibrate_two_phase` was ended before rest
+  int quiet_steps = 0;                                 ///< of that call, the last in a row that count as rest
 };
 
 /// Work of one call.
@@ -149,6 +151,11 @@ TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel
                                  std::span<const double> volume_rate, TwoPhaseState& state,
                                  const TwoPhaseCallbacks& callbacks = {});
 
+/// The same up to a time [s]: the sum of several durations rounds, a time does not.
+TwoPhaseReport advance_two_phase_to(const PoreNetwork& network, const TwoPhaseModel& model, double time,
+                                    std::span<const double> volume_rate, TwoPhaseState& state,
+                                    const TwoPhaseCallbacks& callbacks = {});
+
 /// When two fluids count as being at rest.
 struct RestCriterion {
   double saturation_change = 1e-7;  ///< largest of a pore in a step of `duration` without events [-]
@@ -157,7 +164,7 @@ struct RestCriterion {
 };
 
 /// Follows the flow under the boundary conditions of the present time, in steps as long as events and Newton's
-/// method allow, until it rests. The state's time goes on.
+/// method allow, until it rests. The state's time goes on. A call that `on_step` has ended is taken up by the next one.
 /// @throws NumericalError  as `advance_two_phase`, and where rest is not reached within the limit of steps
 TwoPhaseReport equilibrate_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, const RestCriterion& rest,
                                      TwoPhaseState& state, const TwoPhaseCallbacks& callbacks = {});

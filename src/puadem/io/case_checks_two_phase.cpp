@@ -68,6 +68,10 @@ void check_driving(const Context& at) {
                                            s.water_pressure.size(), s.water_times.size()));
   if (s.water_pressure.size() < 2 && !s.water_times.empty())
     at.error("water_times", ".water_times needs as many values in water_pressure");
+  // Before air has entered a pore that is counted, neither fluid has room for the other: no rate can flow.
+  for (const char* key : {"withdrawal", "capillary_number"})
+    if (at.is_given(key) && !s.initial_air_fraction)
+      at.error(key, fmt::format(".{} needs initial_air_fraction: water can only leave pores that air has begun to enter", key));
   if (!std::ranges::is_sorted(s.water_times)) at.error("water_times", ".water_times must rise");
 }
 

@@ -120,6 +120,12 @@ const Section<OutputOptions>& output_section() {
           &OutputOptions::history_rows),
       bind_table<OutputOptions>(plain("fields_at", "a table", "states of a stage with two fluids that move"), fields_at_section,
                                 &OutputOptions::fields_at),
+      bind<OutputOptions>(quantity("checkpoint_every", "s", at_least(0), {}, R"("5 min")",
+                                   "wall time between two checkpoints, from which `puadem resume` goes on"),
+                          &OutputOptions::checkpoint_every),
+      bind_choice<OutputOptions>(
+          choice("checkpoints", {"latest", "all"}, "those that stay: the last two until the run has come to its end, or all"),
+          &OutputOptions::checkpoints),
   }};
   return section;
 }

@@ -69,7 +69,6 @@ json make_manifest(const ResultsFolder& folder, const Case& c, const State& stat
   json checks = json::array();
   for (const Check& check : run_checks(c, state, results))
     checks.push_back({{"name", check.name}, {"bound", check.bound}, {"value", check.value}, {"passed", check.passed}});
-  const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - folder.started).count();
   return {{"program", "puadem"},
           {"version", build_info::version},
           {"commit", build_info::commit},
@@ -83,7 +82,7 @@ json make_manifest(const ResultsFolder& folder, const Case& c, const State& stat
           {"seed", c.seed},
           {"case_hash", hex(fingerprint(folder.resolved_text))},
           {"started_utc", folder.started_utc},
-          {"wall_time_s", wall_time},
+          {"wall_time_s", wall_seconds(folder)},
           {"peak_memory_bytes", peak_memory()},
           {"grains", state.particles.size()},
           {"pores", state.network.pores()},

@@ -6,6 +6,7 @@
 #include "puadem/io/packing_file.hpp"
 #include "puadem/io/recording_parts.hpp"
 #include "puadem/io/results_folder.hpp"
+#include "puadem/io/resume.hpp"
 #include "puadem/io/series_writer.hpp"
 #include "puadem/io/vtk_fields.hpp"
 
@@ -13,8 +14,6 @@ namespace puadem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double wall_seconds(const ResultsFolder& folder) { return std::chrono::duration<double>(Clock::now() - folder.started).count(); }
 
 }  // namespace
 
@@ -176,6 +175,10 @@ Observer recording_observer(ResultsFolder& folder, const Case& c) {
     record_permeability(folder, c, state, flow, result);
   };
   observer.history = [&folder, &c](const State& state, const HistoryRow& row) { record_history(folder, c, state, row); };
+  observer.safe_place = [&folder, &c](const State& state, const RunResults& results, bool is_last) {
+    const std::chrono::duration<double> since = Clock::now() - folder.last_checkpoint;
+    if (is_last || since.count() >= c.output.checkpoint_every) record_checkpoint(folder, c, state, results);
+  };
   record_two_phase(folder, c, observer);
   record_coupled(folder, c, observer);
   observer.event = [&folder](const State&, const InvasionEvent& e) { record_event(folder, e); };

@@ -85,7 +85,8 @@ void restore_latest(const ResultsFolder& folder) {
 /// Takes away everything that this run made.
 void remove_all_of(const ResultsFolder& folder) {
   std::error_code ignored;
-  for (const char* name : {"series", "fields", "packing.csv", "case.toml", "case.resolved.toml", "log.txt", "progress.jsonl"})
+  for (const char* name :
+       {"series", "fields", "checkpoints", "packing.csv", "case.toml", "case.resolved.toml", "log.txt", "progress.jsonl"})
     fs::remove_all(folder.path / name, ignored);
   if (folder.linked) restore_latest(folder);
   if (folder.created_from.filename() == ".") return;  // the folder itself was there before
@@ -94,9 +95,7 @@ void remove_all_of(const ResultsFolder& folder) {
 
 void write_summary(ResultsFolder& folder, const Case& c, const State& state, const RunResults* results, int exit_code,
                    const std::string& error_message) {
-  for (AppendFile* file : {&folder.log, &folder.progress, &folder.retention, &folder.events, &folder.compaction, &folder.history,
-                           &folder.pressure, &folder.flow, &folder.flow_events})
-    file->close();
+  for (AppendFile* file : append_files(folder)) file->close();
   write_flow_records(folder, state);
   using Json = nlohmann::json;
   const Json manifest = make_manifest(folder, c, state, results, exit_code, error_message);
@@ -105,6 +104,15 @@ void write_summary(ResultsFolder& folder, const Case& c, const State& state, con
 }
 
 }  // namespace
+
+std::vector<AppendFile*> append_files(ResultsFolder& folder) {
+  return {&folder.log,      &folder.progress, &folder.retention,   &folder.events,    &folder.compaction,      &folder.history,
+          &folder.pressure, &folder.flow,     &folder.flow_events, &folder.saturated, &folder.pressure_profile};
+}
+
+double wall_seconds(const ResultsFolder& folder) {
+  return folder.wall_time_before + std::chrono::duration<double>(std::chrono::steady_clock::now() - folder.started).count();
+}
 
 ResultsFolder open_results(const Case& c, const std::string& case_text, std::string resolved_text, std::optional<fs::path> output,
                            const std::string& name) {
@@ -145,6 +153,9 @@ void finish_results(ResultsFolder& folder, const Case& c, const State& state, co
   try {
     folder.log.append(failed ? fmt::format("stopped: {}\n", error_message) : "finished\n");
     write_summary(folder, c, state, results, exit_code, error_message);
+    std::error_code ignored;
+    const bool is_done = exit_code == 0 && c.output.checkpoints == OutputOptions::Checkpoints::latest;
+    if (is_done) fs::remove_all(folder.path / "checkpoints", ignored);
   } catch (const InputError&) {
     if (error_message.empty()) throw;  // else the first error is the one to tell
   }

@@ -35,6 +35,7 @@ struct ResultsFolder {
 
   // Progress of the recording.
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+  double wall_time_before = 0.0;       ///< of a run that was taken up again, until then [s]
   std::string started_utc;             ///< ISO 8601
   std::filesystem::path created_from;  ///< topmost folder made for this run; ends in "." where there was none
   std::string previous_latest;         ///< what `latest` pointed to before; empty: nothing
@@ -54,7 +55,15 @@ struct ResultsFolder {
   std::vector<FlowPicture> pictures;
   std::chrono::steady_clock::time_point last_progress{};
   std::string last_stage;
+  int checkpoints = 0;  ///< written so far
+  std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
 };
+
+/// The files that grow, in a fixed order.
+std::vector<AppendFile*> append_files(ResultsFolder& folder);
+
+/// Of the run so far [s].
+double wall_seconds(const ResultsFolder& folder);
 
 /// Makes the folder of a run and writes case.toml and case.resolved.toml into it.
 ///
@@ -68,7 +77,7 @@ struct ResultsFolder {
 ResultsFolder open_results(const Case& c, const std::string& case_text, std::string resolved_text,
                            std::optional<std::filesystem::path> output, const std::string& name = {});
 
-/// Writes log.txt, progress.jsonl, series/ and fields/ as the run goes on. Folder and case must outlive
+/// Writes log.txt, progress.jsonl, series/, fields/ and checkpoints/ as the run goes on. Folder and case must outlive
 /// the observer. A message that begins with
 /// "warning: " goes into the manifest and the report too. Progress always asks to go on: combine it
 /// with an observer of your own to stop a run or to draw a progress line.

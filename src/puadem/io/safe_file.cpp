@@ -39,6 +39,17 @@ AppendFile::AppendFile(const std::filesystem::path& path) : file_(std::fopen(pat
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // the buffer is ours: it holds whole lines only
 }
 
+AppendFile::AppendFile(const std::filesystem::path& path, std::uintmax_t length) : path_(path), length_(length) {
+  std::error_code failed;
+  const std::uintmax_t there = std::filesystem::file_size(path, failed);
+  require(!failed && there >= length, "'{}' is missing or cut off: it had {} bytes when the checkpoint was written",
+          path.string(), length);
+  std::filesystem::resize_file(path, length, failed);
+  if (!failed) file_.reset(std::fopen(path.c_str(), "ab"));
+  if (!file_) refuse(path, failed ? failed.value() : errno);
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+}
+
 void AppendFile::append(std::string_view text) {
   buffer_ += text;
   if (buffer_.size() >= buffer_limit) flush();

@@ -20,6 +20,9 @@ class AppendFile {
   AppendFile() = default;
   /// Opens a new, empty file. @throws InputError
   explicit AppendFile(const std::filesystem::path& path);
+  /// Opens a file that is there to go on behind its first `length` bytes; the rest is cut off.
+  /// @throws InputError  where it is missing or shorter
+  AppendFile(const std::filesystem::path& path, std::uintmax_t length);
 
   bool is_open() const { return file_ != nullptr; }
   /// Buffers text; it reaches the disk at the next `flush` or when the buffer is large.
@@ -27,6 +30,9 @@ class AppendFile {
   void append(std::string_view text);
   void flush();
   void close();
+  /// Bytes known to be on disk.
+  std::uintmax_t length() const { return length_; }
+  const std::filesystem::path& path() const { return path_; }
 
  private:
   struct Closer {
@@ -35,7 +41,7 @@ class AppendFile {
   std::unique_ptr<std::FILE, Closer> file_;
   std::filesystem::path path_;
   std::string buffer_;
-  std::uintmax_t length_ = 0;  // bytes known to be on disk
+  std::uintmax_t length_ = 0;
 };
 
 }  // namespace puadem

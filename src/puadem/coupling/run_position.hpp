@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "puadem/coupling/flow_record.hpp"
+#include "puadem/coupling/history.hpp"
+#include "puadem/flow/invasion.hpp"
+
+namespace puadem {
+
+/// What the rates of a loading program are judged by.
+struct LoadingScale {
+  double diameter = 0.0;        ///< mean of the grains [m]
+  double density = 0.0;         ///< of the solid [kg/m3]
+  double youngs_modulus = 0.0;  ///< [Pa]
+  Vec3 size;                    ///< of the box [m]
+  Vec3 stress;                  ///< along the axes at the start [Pa]
+};
+
+/// How far a stage that loads the grains has come.
+struct LoadingProgress {
+  LoadingScale scale;
+  HistoryStart start;
+  double longest_step = 0.0;    ///< [s]
+  long first_step = 0;          ///< of the grain engine
+  int first_row = 0;            ///< of the stage in the history
+  long last_row_step = -1;      ///< of the grain engine
+  int leg = 0;                  ///< of the program
+  long leg_step = 0;            ///< steps of that leg
+  double leg_began = 0.0;       ///< [s]
+  Vec3 leg_strain, leg_stress;  ///< at its start
+  int leg_rows = 0;             ///< rows of the leg that are due no more
+  BoxServo servo;
+};
+
+/// How far a retention stage has come; the equilibria reached stand in `State::retention`.
+struct RetentionProgress {
+  std::array<int, invasion_event_kinds> events{};
+  double wetting_start = 0.0;  ///< [m3]
+};
+
+/// How far a stage "two-phase-flow" has come.
+struct TwoPhaseProgress {
+  FlowVolumes start;
+  double done = 0.0;            ///< share of the stage, as well as it is known
+  double saturation = 1.0;      ///< after the last step
+  std::vector<double> awaited;  ///< saturations of the pictures still to come
+  long last_picture = -1;       ///< step of it
+  bool breaks_through = false;
+  bool ends = false;
+  std::optional<TwoPhaseState> before_jump;  ///< while one is awaited
+  int stop = 0;                              ///< of the path of pressures
+  std::optional<double> stop_end;            ///< time until which its pressure is held, once it is [s]
+};
+
+/// Where a run stands in its stages: with the rest of the state, all that it needs to go on.
+struct RunPosition {
+  int stage = 0;                  ///< that is under way or comes next
+  bool is_packing_shown = false;  ///< the observer knows how the grains lie
+  // None: the stage has not begun.
+  std::variant<std::monostate, LoadingProgress, RetentionProgress, TwoPhaseProgress> progress;
+};
+
+}  // namespace puadem

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "puadem/coupling/run.hpp"
+
+namespace puadem::testing {
+
+/// A small case of each kind of stage that can be taken up again.
+struct ResumableCase {
+  std::string name;
+  Case (*make)();
+  int interval;  ///< of its safe places that are worth a copy
+};
+
+inline void PrintTo(const ResumableCase& c, std::ostream* out) { *out << c.name; }
+
+inline Case grains_of(int count, Vec3 shape) {
+  Case c;
+  c.seed = 5;
+  c.materials = {Material{}};
+  c.contact.rolling_stiffness = 1.0;
+  c.contact.rolling_friction = 0.1;
+  c.grains.count = count;
+  c.grains.material = c.materials[0].name;
+  c.grains.grading = {Grading::By::number, {{0.24e-3, 0.36e-3, 1.0}}};
+  c.domain.shape = shape;
+  CompactStage compact;
+  compact.unbalanced = 2e-2;
+  c.stages = {compact};
+  c.output.history_rows = 30;
+  return c;
+}
+
+inline Case loading_case() {
+  Case c = grains_of(200, {1, 1, 1});
+  c.domain.periodic = {true, true, false};
+  c.motion.gravity = {0, 0, -9.81};
+  OedometerStage oedometer;
+  oedometer.path = {20e3, 12e3};
+  oedometer.strain_rate = 8.0;
+  ShearStage shear;
+  shear.normal_stress = 10e3;
+  shear.strain = 0.02;
+  shear.shear_rate = 20.0;
+  c.stages.insert(c.stages.end(), {oedometer, shear});
+  return c;
+}
+
+inline Case retention_case() {
+  Case c = grains_of(250, {1, 1, 1});
+  RetentionStage retention;
+  retention.path = {1000.0, 4000.0, 0.0, 3000.0};
+  retention.step = 500.0;
+  c.stages.insert(c.stages.end(), {PermeabilityStage{}, retention});
+  return c;
+}
+
+/// Steps of pressure to rest, with trapped water, and a rate of withdrawal behind them.
+inline Case two_phase_case(GasKind gas, TwoPhaseScheme scheme, bool holds) {
+  Case c = grains_of(350, {10, 10, 4});
+  TwoPhaseStage steps;
+  steps.path = {2000.0, 2750.0};
+  steps.step = 750.0;
+  if (holds) steps.hold = 0.01;
+  steps.options.gas = gas;
+  steps.options.scheme = scheme;
+  steps.options.corner_films = gas == GasKind::connected;
+  steps.record_jump = 0.98;
+  TwoPhaseStage withdrawal;
+  withdrawal.air = TwoPhaseStage::disc;
+  withdrawal.disc_radius = 0.3e-3;
+  withdrawal.water = {true, true, true, true, false, false};
+  withdrawal.capillary_number = 1e-4;
+  withdrawal.initial_air_fraction = 0.5;
+  withdrawal.duration = 0.5;
+  withdrawal.until_saturation = 0.93;
+  withdrawal.options.gas = gas;
+  withdrawal.options.scheme = scheme;
+  c.output.fields_at.saturation = {0.97, 0.95};
+  c.stages.insert(c.stages.end(), {steps, withdrawal});
+  return c;
+}
+
+inline Case implicit_case() { return two_phase_case(GasKind::incompressible, TwoPhaseScheme::implicit, false); }
+inline Case ideal_gas_case() { return two_phase_case(GasKind::ideal, TwoPhaseScheme::implicit, true); }
+inline Case impes_case() { return two_phase_case(GasKind::connected, TwoPhaseScheme::impes, true); }
+
+inline std::vector<ResumableCase> resumable_cases() {
+  return {{"Loading", loading_case, 10},
+          {"Retention", retention_case, 3},
+          {"Implicit", implicit_case, 20},
+          {"IdealGas", ideal_gas_case, 20},
+          {"Impes", impes_case, 20}};
+}
+
+struct Outcome {
+  State state;
+  RunResults results;
+};
+
+/// The same numbers everywhere: results, places, fluids, records.
+inline void expect_same_run(const Outcome& a, const Outcome& b) {
+  EXPECT_EQ(a.results.scalars, b.results.scalars);
+  EXPECT_EQ(a.state.time, b.state.time);
+  EXPECT_EQ(a.state.particles.position, b.state.particles.position);
+  EXPECT_EQ(a.state.particles.velocity, b.state.particles.velocity);
+  EXPECT_EQ(a.state.saturation, b.state.saturation);
+  ASSERT_EQ(a.state.history.size(), b.state.history.size());
+  for (std::size_t k = 0; k < a.state.history.size(); ++k) {
+    EXPECT_EQ(a.state.history[k].step, b.state.history[k].step);
+    EXPECT_EQ(a.state.history[k].stress, b.state.history[k].stress);
+    EXPECT_EQ(a.state.history[k].energy_residual, b.state.history[k].energy_residual);
+  }
+  ASSERT_EQ(a.state.retention.size(), b.state.retention.size());
+  for (std::size_t k = 0; k < a.state.retention.size(); ++k)
+    EXPECT_EQ(a.state.retention[k].saturation, b.state.retention[k].saturation);
+  ASSERT_EQ(a.state.flows.size(), b.state.flows.size());
+  for (std::size_t k = 0; k < a.state.flows.size(); ++k) {
+    const auto &one = a.state.flows[k].rows, &other = b.state.flows[k].rows;
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t r = 0; r < one.size(); ++r) {
+      EXPECT_EQ(one[r].time, other[r].time);
+      EXPECT_EQ(one[r].saturation, other[r].saturation);
+      EXPECT_EQ(one[r].meniscus_area, other[r].meniscus_area);
+    }
+    EXPECT_EQ(a.state.flows[k].jump.has_value(), b.state.flows[k].jump.has_value());
+  }
+  ASSERT_EQ(a.state.flow.has_value(), b.state.flow.has_value());
+  if (a.state.flow) {
+    EXPECT_EQ(a.state.flow->wetting_volume, b.state.flow->wetting_volume);
+    EXPECT_EQ(a.state.flow->wetting_pressure, b.state.flow->wetting_pressure);
+    EXPECT_EQ(a.state.flow->nonwetting, b.state.flow->nonwetting);
+    EXPECT_EQ(a.state.flow->time_step, b.state.flow->time_step);
+  }
+}
+
+}  // namespace puadem::testing
