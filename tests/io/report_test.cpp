@@ -208,7 +208,7 @@ TEST(Report, OpensInABrowser) {
   std::ofstream(scratch.path / "loading.html") << html_of(loaded);
   std::ofstream(scratch.path / "network.html") << html_of(make_network_run());
   std::ofstream(scratch.path / "broken.html") << "<html data-rendered=\"yes\"><script>console.error('x')</script></html>";
-  const std::string tool = (std::filesystem::path(__FILE__).parent_path() / "../../tools/check_report").string();
+  const std::string tool = PUADEM_TOOLS "/check_report";
   const auto check = [&](const char* page, const char* more = "") {
     return WEXITSTATUS(std::system((tool + " " + (scratch.path / page).string() + more).c_str()));
   };
