@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "puadem/geometry/domain.hpp"
+#include "puadem/io/report_column.hpp"
 #include "puadem/io/report_data.hpp"
 #include "puadem/io/text.hpp"
 
@@ -12,21 +13,6 @@ namespace puadem {
 namespace {
 
 using nlohmann::json;
-
-template <class Value>
-json column(const std::vector<SaturatedRow>& rows, const Value& value) {
-  json values = json::array();
-  for (const SaturatedRow& row : rows) values.push_back(value(row));
-  return values;
-}
-
-json column(const std::vector<SaturatedRow>& rows, std::optional<double> SaturatedRow::*member) {
-  return column(rows, [member](const SaturatedRow& r) { return r.*member ? json(*(r.*member)) : json(nullptr); });
-}
-
-json column(const std::vector<SaturatedRow>& rows, double SaturatedRow::*member) {
-  return column(rows, [member](const SaturatedRow& r) { return json(r.*member); });
-}
 
 json profile_json(const PressureProfile& profile) {
   json place = json::array(), pressure = json::array(), theory = json::array();
@@ -36,7 +22,7 @@ json profile_json(const PressureProfile& profile) {
     theory.push_back(layer.linear);
   }
   return {{"time", profile.time},
-          {"time_factor", profile.time_factor ? json(*profile.time_factor) : json(nullptr)},
+          {"time_factor", json_of(profile.time_factor)},
           {"place", std::move(place)},
           {"pressure", std::move(pressure)},
           {"theory", std::move(theory)}};

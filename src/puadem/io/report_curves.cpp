@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "puadem/base/error.hpp"
+#include "puadem/io/report_column.hpp"
 #include "puadem/io/report_data.hpp"
 #include "puadem/io/series_writer.hpp"
 
@@ -24,12 +25,6 @@ std::vector<Rows> branches_of(Rows rows) {
 }
 
 bool is_drainage(Rows branch) { return branch.front().branch.starts_with("drainage"); }
-
-json column(Rows rows, double RetentionRow::*field) {
-  json values = json::array();
-  for (const RetentionRow& row : rows) values.push_back(row.*field);
-  return values;
-}
 
 /// The fit and points on it, over the pressures of the branch.
 json fit_json(Rows branch) {

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "puadem/io/report_column.hpp"
 #include "puadem/io/report_data.hpp"
 
 namespace puadem {
@@ -7,13 +8,6 @@ namespace {
 
 using nlohmann::json;
 using Rows = std::span<const HistoryRow>;
-
-template <class Value>
-json column(Rows rows, const Value& value) {
-  json values = json::array();
-  for (const HistoryRow& row : rows) values.push_back(value(row));
-  return values;
-}
 
 /// Terms of the energy book [J].
 json energy_json(Rows rows) {

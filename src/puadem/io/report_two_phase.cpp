@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "puadem/geometry/domain.hpp"
+#include "puadem/io/report_column.hpp"
 #include "puadem/io/report_data.hpp"
 #include "puadem/io/text.hpp"
 
@@ -13,13 +14,6 @@ namespace puadem {
 namespace {
 
 using nlohmann::json;
-
-template <class Value>
-json column(const std::vector<FlowRow>& rows, const Value& value) {
-  json values = json::array();
-  for (const FlowRow& row : rows) values.push_back(value(row));
-  return values;
-}
 
 json boxes_json(const FlowRecord& record) {
   json boxes = json::array();
