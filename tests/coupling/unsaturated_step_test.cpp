@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -164,6 +165,54 @@ TEST(CarryFluids, KeepsBothFluidsThroughManyNewNetworks) {
     EXPECT_NEAR(now_of_gas, pores_of_gas, 0.15 * pores_of_gas);
   }
   EXPECT_GT(cells, 200) << "the motion is too small to test it";
+}
+
+TEST(CarryFluids, CavitiesHoldTheirVoidThoughCellsHaveTurnedInsideOut) {
+  int turned = 0;
+  for (std::uint64_t k = 1; k <= 60; ++k) {
+    Bed bed(120);
+    bed.shear(3.0 * radius, k);
+    const Domain& domain = bed.grains.domain;
+    const auto centre = followed_centres(bed.state.place, bed.particles, domain);
+    const MovedVoids voids = moved_voids(bed.network, bed.state.place, centre, bed.particles.radius, domain);
+    if (voids.inverted < 0) continue;
+    NetworkPlace place = bed.state.place;
+    const RebuiltNetwork now = remesh(bed.network, {}, centre, bed.particles, domain, bed.options.network, place);
+    EXPECT_TRUE(std::ranges::all_of(now.match.before, [&](int c) { return c < 0 || voids.cell[to_size(c)] > 0.0; }));
+    const double scale = domain.volume();
+    for (int cavity = 0; cavity < now.match.vanished.rows(); ++cavity) {
+      double before = 0.0, after = 0.0;
+      for (const int c : now.match.vanished[cavity]) {
+        before += voids.cell[to_size(c)];
+        turned += voids.cell[to_size(c)] < 0.0;
+      }
+      for (const int c : now.match.appeared[cavity]) after += now.network.tetrahedron_void[to_size(c)];
+      EXPECT_NEAR(after, before, 1e-12 * scale);
+    }
+  }
+  EXPECT_GT(turned, 10) << "the motion is too small to test it";
+}
+
+TEST(CarryFluids, KeepsBothFluidsThoughCellsHaveTurnedInsideOut) {
+  long cells = 0;
+  for (std::uint64_t k = 1; k <= 10; ++k) {
+    Bed bed;
+    bed.drain();
+    for (std::uint64_t step = 0; step < 3; ++step) {
+      bed.shear(1.0 * radius, 10 * k + step);
+      follow_grains(bed.options, bed.grains, bed.particles, bed.network, bed.state, bed.cache);
+      const auto [water, gas] = ledger_errors(bed.network, bed.state, bed.cache);
+      EXPECT_LT(std::abs(water), 1e-9);
+      EXPECT_LT(std::abs(gas), 1e-9);
+      for (int p = 0; p < bed.network.pores(); ++p) {
+        const double s = bed.state.flow.wetting_volume[to_size(p)] / bed.network.pore_volume[to_size(p)];
+        EXPECT_GE(s, 0.0);
+        EXPECT_LE(s, 1.0 + 1e-6);
+      }
+    }
+    cells += bed.state.cells_renewed;
+  }
+  EXPECT_GT(cells, 1000);
 }
 
 TEST(UnsaturatedRound, FluidsFollowGrainsAndTheBooksClose) {

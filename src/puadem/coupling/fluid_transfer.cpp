@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "puadem/flow/two_phase_system.hpp"
 
@@ -36,15 +37,45 @@ int same_pore(const Transfer& t, int pore) {
   return std::ranges::all_of(cells, [&](int c) { return t.former_pore(c) == former; }) ? former : -1;
 }
 
-/// Water of each cell, before and now, and whose place each cell takes. A cavity that holds gas counts as a pore of gas.
-void share_water(Transfer& t) {
-  std::vector<double> space(to_size(t.before.pores()), 0.0);
-  for (std::size_t c = 0; c < t.cell_void.size(); ++c) space[to_size(t.before.tetrahedron_pore[c])] += t.cell_void[c];
-  t.water_before.resize(t.cell_void.size());
-  for (std::size_t c = 0; c < t.cell_void.size(); ++c) {
-    const auto p = to_size(t.before.tetrahedron_pore[c]);
-    t.water_before[c] = t.state.wetting_volume[p] * t.cell_void[c] / space[p];
+/// Water of each cell before: its share of its pore's void, all or nothing in a reservoir. A cell of less than no void, one
+/// that has turned inside out, takes away from the cavity it lies in as much as that holds in its place: neither that nor the
+/// rest of the cell's pore gets fuller than full by it.
+void share_by_cells(Transfer& t) {
+  const auto pore_of = [&](std::size_t cell) { return to_size(t.before.tetrahedron_pore[cell]); };
+  std::vector<double> water(to_size(t.before.pores()), 0.0), space = water;
+  for (std::size_t c = 0; c < t.cell_void.size(); ++c) space[pore_of(c)] += t.cell_void[c];
+  for (int p = 0; p < t.before.pores(); ++p) {
+    const auto i = to_size(p);
+    const double in_reservoir = t.state.nonwetting.holds[i] ? 0.0 : space[i];
+    water[i] = t.former.is_counted(p) ? t.state.wetting_volume[i] : in_reservoir;
   }
+  t.water_before.resize(t.cell_void.size());
+  const auto share = [&](std::size_t c) { return water[pore_of(c)] / space[pore_of(c)] * t.cell_void[c]; };
+  for (std::size_t c = 0; c < t.cell_void.size(); ++c) t.water_before[c] = share(c);
+  std::vector<std::uint8_t> is_turned(t.cell_void.size(), 0);
+  for (int cavity = 0; cavity < t.now.match.vanished.rows(); ++cavity) {
+    double held = 0.0, room = 0.0;
+    for (const int c : t.now.match.vanished[cavity]) {
+      if (t.cell_void[to_size(c)] <= 0.0) continue;
+      held += t.water_before[to_size(c)];
+      room += t.cell_void[to_size(c)];
+    }
+    for (const int cell : t.now.match.vanished[cavity]) {
+      const auto c = to_size(cell);
+      if (t.cell_void[c] >= 0.0) continue;
+      t.water_before[c] = held / room * t.cell_void[c];
+      water[pore_of(c)] -= t.water_before[c];
+      space[pore_of(c)] -= t.cell_void[c];
+      is_turned[c] = 1;
+    }
+  }
+  for (std::size_t c = 0; c < t.cell_void.size(); ++c)
+    if (!is_turned[c]) t.water_before[c] = share(c);
+}
+
+/// Water of each cell now, and whose place each cell takes. A cavity that holds gas counts as a pore of gas.
+void share_water(Transfer& t) {
+  share_by_cells(t);
   t.water = carry_over(t.now.match, t.water_before, t.now.network.tetrahedron_void);
   t.donor.resize(t.water.size());
   for (std::size_t c = 0; c < t.donor.size(); ++c) t.donor[c] = t.former_pore(static_cast<int>(c));

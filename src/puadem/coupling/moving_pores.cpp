@@ -63,7 +63,11 @@ RebuiltNetwork remesh(const PoreNetwork& network, std::span<const int> kind, std
       if (domain.periodic[to_size(axis)])
         wraps[k][to_size(axis)] =
             static_cast<std::int8_t>(std::nearbyint((centre[k][axis] - particles.position[k][axis]) / period[axis]));
-  RebuiltNetwork rebuilt = rebuild_pore_network(network, kind, wraps, particles.position, particles.radius, domain, options);
+  const std::vector<std::int8_t> now = cell_orientations(network.triangulation, PackingSites(centre, particles.radius, domain));
+  std::vector<std::uint8_t> turned(now.size());
+  for (std::size_t c = 0; c < now.size(); ++c) turned[c] = now[c] * place.orientation[c] < 0;
+  RebuiltNetwork rebuilt =
+      rebuild_pore_network(network, kind, wraps, particles.position, particles.radius, domain, options, turned);
   place = place_of(rebuilt.network, particles, domain);
   return rebuilt;
 }

@@ -89,7 +89,7 @@ UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const Pore
   return state;
 }
 
-void rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, UnsaturatedState& state) {
+bool rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, UnsaturatedState& state) {
   const auto holds_stress = [&] {
     return std::ranges::all_of(grains.walls, [&](const Wall& w) {
       if (!w.target) return true;
@@ -99,16 +99,19 @@ void rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, Unsatur
   for (long step = 0;; step += check_interval) {
     evaluate_forces(grains);
     const GrainMeasures m = measure(grains);
-    if (step > 0 && m.unbalanced < options.unbalanced && holds_stress()) break;
-    ensure(
-        step < options.most_steps,
-        "step {}: the grains do not come to rest under the forces of the fluids within {} steps; the unbalanced force ratio is "
-        "{:.3g}, the capillary pressure {:.4g} Pa",
-        grains.steps, step, m.unbalanced, state.capillary_pressure);
+    if (step > 0 && m.unbalanced < options.unbalanced && holds_stress()) return true;
+    ensure(state.settling_steps < options.most_steps,
+           "step {}: the grains do not come to rest at a capillary pressure of {:.4g} Pa within {} steps; their unbalanced force "
+           "ratio is {:.3g}",
+           grains.steps, state.capillary_pressure, state.settling_steps, m.unbalanced);
+    collect(grains, particles);
+    const double gone = largest_displacement(state.place, followed_centres(state.place, particles, grains.domain));
+    if (step > 0 && gone > options.remesh_displacement) return false;
     renew_time_step(grains);
     advance_grains(grains, check_interval);
     guard_walls(grains);
     state.grain_steps += check_interval;
+    state.settling_steps += check_interval;
   }
 }
 

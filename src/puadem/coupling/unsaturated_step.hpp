@@ -22,7 +22,7 @@ struct UnsaturatedOptions {
   double remesh_displacement = 0.0;    ///< of a grain, at which a new network is made [m]
   double unbalanced = 1e-3;            ///< force ratio at which grains are at rest [-]
   double stress_tolerance = 1e-3;      ///< of a wall that holds a stress [-]
-  long most_steps = 500'000;           ///< of the grains to come to rest
+  long most_steps = 500'000;           ///< of the grains at one capillary pressure
 };
 
 /// Everything a restart needs besides network, grains and their frozen forces.
@@ -35,6 +35,7 @@ struct UnsaturatedState {
   double water_start = 0.0, gas_start = 0.0;  ///< of the counted pores [m3]
   long remeshes = 0, cells_renewed = 0, pores_changed = 0;
   long grain_steps = 0, fluid_steps = 0;
+  long settling_steps = 0;  ///< of the grains at the present capillary pressure
 };
 
 /// What follows from network and place.
@@ -47,9 +48,10 @@ struct UnsaturatedCache {
 UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
                                    GrainSystem& grains, UnsaturatedCache& cache);
 
-/// Grains move under the forces that were found last until they are at rest.
-/// @throws NumericalError  where they do not come to rest
-void rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, UnsaturatedState& state);
+/// Grains move under the forces that were found last until they are at rest, or one has gone as far as calls for a new network.
+/// @return whether they rest
+/// @throws NumericalError  where they do not come to rest at one capillary pressure
+bool rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, UnsaturatedState& state);
 
 /// The fluids follow the grains: every pore's change of volume is passed on, then the network has its new geometry, or is
 /// made anew where grains went too far.

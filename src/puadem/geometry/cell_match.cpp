@@ -70,7 +70,8 @@ std::vector<FormerCell> former_cells(const Triangulation& before, std::span<cons
 
 }  // namespace
 
-CellMatch match_cells(const Triangulation& before, const Triangulation& now, std::span<const Shift> wraps) {
+CellMatch match_cells(const Triangulation& before, const Triangulation& now, std::span<const Shift> wraps,
+                      std::span<const std::uint8_t> turned) {
   const std::vector<FormerCell> former = former_cells(before, wraps);
   CellMatch match;
   match.before.assign(to_size(now.cells()), -1);
@@ -81,7 +82,9 @@ CellMatch match_cells(const Triangulation& before, const Triangulation& now, std
   for (int n = 0; n < now.cells(); ++n) {  // both ascend by vertices
     const auto& vertices = now.vertices[to_size(n)];
     for (; b != former.end() && b->vertices < vertices; ++b) gone.push_back(*b);
-    if (b != former.end() && b->vertices == vertices) {
+    const bool is_listed = b != former.end() && b->vertices == vertices;
+    // A cell that has turned inside out and is listed anew fills the other side of its place: all around it has changed.
+    if (is_listed && (turned.empty() || !turned[to_size(b->cell)])) {
       match.before[to_size(n)] = b->cell;
       match.shift[to_size(n)] = b->shift;
       ++b;

@@ -21,11 +21,12 @@ struct CellMatch {
   Csr vanished, appeared;  ///< per cavity, by its lowest new cell: cells before and cells now, ascending
 };
 
-/// Cells are the same where their vertices are.
+/// Cells are the same where their vertices are, unless they have turned inside out.
 /// @param wraps  per grain: periods by which it was moved back into the box since `before`, which knows it where it would
 ///               stand without; empty: none was
+/// @param turned  per cell before: 1 where it has turned inside out since; empty: none has
 CellMatch match_cells(const Triangulation& before, const Triangulation& now,
-                      std::span<const std::array<std::int8_t, 3>> wraps = {});
+                      std::span<const std::array<std::int8_t, 3>> wraps = {}, std::span<const std::uint8_t> turned = {});
 
 /// Brings an amount that cells hold from one triangulation to the next: a cell that stays keeps its own to the last bit, a
 /// cavity shares its sum by void volume, so that the sum of all stays and in a cavity no cell is fuller than another.

@@ -194,9 +194,9 @@ PoreNetwork build_pore_network(std::span<const Vec3> centre, std::span<const dou
 
 RebuiltNetwork rebuild_pore_network(const PoreNetwork& before, std::span<const int> kind, std::span<const Shift> wraps,
                                     std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain,
-                                    const NetworkOptions& options) {
+                                    const NetworkOptions& options, std::span<const std::uint8_t> turned) {
   Triangulation mesh = triangulate(centre, radius, domain);
-  CellMatch match = match_cells(before.triangulation, mesh, wraps);
+  CellMatch match = match_cells(before.triangulation, mesh, wraps, turned);
   const FormerUnits former = former_units(before, kind, match);
   return {network_of(std::move(mesh), former, centre, radius, domain, options), std::move(match)};
 }

@@ -32,9 +32,11 @@ struct RebuiltNetwork {
 /// @param kind  per pore of `before`, such as the fluids in it: units of different kinds stay apart. A new cell has the
 ///              highest kind among the cells whose place it takes. Empty: all are alike
 /// @param wraps  per grain: periods by which it was moved back into the box since `before`; empty: none was
+/// @param turned  per cell of `before`: 1 where it has turned inside out since; empty: none has
 /// @throws as `build_pore_network`
 RebuiltNetwork rebuild_pore_network(const PoreNetwork& before, std::span<const int> kind,
                                     std::span<const std::array<std::int8_t, 3>> wraps, std::span<const Vec3> centre,
-                                    std::span<const double> radius, const Domain& domain, const NetworkOptions& options);
+                                    std::span<const double> radius, const Domain& domain, const NetworkOptions& options,
+                                    std::span<const std::uint8_t> turned = {});
 
 }  // namespace puadem
