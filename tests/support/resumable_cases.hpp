@@ -89,12 +89,28 @@ inline Case implicit_case() { return two_phase_case(GasKind::incompressible, Two
 inline Case ideal_gas_case() { return two_phase_case(GasKind::ideal, TwoPhaseScheme::implicit, true); }
 inline Case impes_case() { return two_phase_case(GasKind::connected, TwoPhaseScheme::impes, true); }
 
+/// A loaded column with a pressure that rises beneath it: new networks on the way, and grains that are followed over periods.
+inline Case saturated_case() {
+  Case c = grains_of(150, {1, 1, 2});
+  c.domain.periodic = {true, true, false};
+  c.contact.law = ContactOptions::Law::linear_spring;
+  c.fluids.wetting = {0.05, 950.0};
+  SaturatedStage stage;
+  stage.loaded = 5;
+  stage.stress = 14e3;
+  stage.inlet = 4;
+  stage.inlet_pressure = {0.0, 3e3};
+  stage.inlet_times = {0.0, 6e-4};
+  stage.bulk_modulus = 1e8;
+  stage.duration = 6e-4;
+  stage.remesh_displacement = 2e-3;
+  c.stages.emplace_back(stage);
+  return c;
+}
+
 inline std::vector<ResumableCase> resumable_cases() {
-  return {{"Loading", loading_case, 10},
-          {"Retention", retention_case, 3},
-          {"Implicit", implicit_case, 20},
-          {"IdealGas", ideal_gas_case, 20},
-          {"Impes", impes_case, 20}};
+  return {{"Loading", loading_case, 10},    {"Retention", retention_case, 3}, {"Implicit", implicit_case, 20},
+          {"IdealGas", ideal_gas_case, 20}, {"Impes", impes_case, 20},        {"Saturated", saturated_case, 5}};
 }
 
 struct Outcome {
@@ -128,6 +144,24 @@ inline void expect_same_run(const Outcome& a, const Outcome& b) {
       EXPECT_EQ(one[r].meniscus_area, other[r].meniscus_area);
     }
     EXPECT_EQ(a.state.flows[k].jump.has_value(), b.state.flows[k].jump.has_value());
+  }
+  ASSERT_EQ(a.state.saturated_flows.size(), b.state.saturated_flows.size());
+  for (std::size_t k = 0; k < a.state.saturated_flows.size(); ++k) {
+    const auto &one = a.state.saturated_flows[k].rows, &other = b.state.saturated_flows[k].rows;
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t r = 0; r < one.size(); ++r) {
+      EXPECT_EQ(one[r].time, other[r].time);
+      EXPECT_EQ(one[r].inlet_pressure, other[r].inlet_pressure);
+      EXPECT_EQ(one[r].settlement, other[r].settlement);
+      EXPECT_EQ(one[r].ledger_error, other[r].ledger_error);
+    }
+    EXPECT_EQ(a.state.saturated_flows[k].profiles.size(), b.state.saturated_flows[k].profiles.size());
+  }
+  ASSERT_EQ(a.state.saturated.has_value(), b.state.saturated.has_value());
+  if (a.state.saturated) {
+    EXPECT_EQ(a.state.saturated->pressure, b.state.saturated->pressure);
+    EXPECT_EQ(a.state.saturated->pore_volume, b.state.saturated->pore_volume);
+    EXPECT_EQ(a.state.saturated->remeshes, b.state.saturated->remeshes);
   }
   ASSERT_EQ(a.state.flow.has_value(), b.state.flow.has_value());
   if (a.state.flow) {

@@ -56,12 +56,25 @@ struct TwoPhaseProgress {
   std::optional<double> stop_end;            ///< time until which its pressure is held, once it is [s]
 };
 
+/// How far a stage "saturated-flow" has come.
+struct SaturatedProgress {
+  HistoryStart start;
+  double diameter = 0.0;       ///< mean of the grains at the start [m]
+  double height = 0.0;         ///< of the box along the record's axis then [m]
+  double began = 0.0;          ///< [s]
+  double duration = 0.0;       ///< [s]
+  double interval = 0.0;       ///< over which the fluid's forces stay frozen [s]
+  double longest_step = 0.0;   ///< of the grains [s]
+  long step = 0;               ///< coupled steps done
+  int rows = 0, profiles = 0;  ///< due no more
+};
+
 /// Where a run stands in its stages: with the rest of the state, all that it needs to go on.
 struct RunPosition {
   int stage = 0;                  ///< that is under way or comes next
   bool is_packing_shown = false;  ///< the observer knows how the grains lie
   // None: the stage has not begun.
-  std::variant<std::monostate, LoadingProgress, RetentionProgress, TwoPhaseProgress> progress;
+  std::variant<std::monostate, LoadingProgress, RetentionProgress, TwoPhaseProgress, SaturatedProgress> progress;
 };
 
 }  // namespace puadem

@@ -34,26 +34,15 @@ void close_rates(std::span<const double> volume, std::vector<double>& rate) {
 
 SinglePhaseFlow solve(const SaturatedOptions& options, const PoreNetwork& network, const Domain& domain,
                       std::span<const double> rate, const std::optional<SlightCompressibility>& compressibility,
-                      SaturatedCache& cache) {
+                      std::span<const double> guess, SaturatedCache& cache) {
   SinglePhaseProblem problem;
   problem.faces = options.faces;
   problem.viscosity = options.viscosity;
   problem.volume_rate = rate;
   problem.compressibility = compressibility;
   problem.conductance_limits = options.limits;
+  problem.guess = guess;
   return solve_single_phase(network, domain, problem, cache.memory);
-}
-
-/// Areas and an empty memory for a network just made.
-void renew_cache(const SaturatedOptions& options, const PoreNetwork& network, const Particles& particles, const Domain& domain,
-                 SaturatedCache& cache) {
-  cache.areas = pushed_areas(network, PackingSites(particles.position, particles.radius, domain), ThroatShare::surface,
-                             options.network.no_slip);
-  constexpr int cholesky_limit = 150'000;  // unknowns: one factor serves hundreds of steps
-  PressureSolverOptions solver = cache.memory.solver;
-  solver.cholesky_limit = std::max(solver.cholesky_limit, cholesky_limit);
-  cache.memory = {};
-  cache.memory.solver = solver;
 }
 
 /// Hands the forces of the pressures, and buoyancy, to grains and walls.
@@ -75,7 +64,7 @@ void advance_fluid(const SaturatedOptions& options, const PoreNetwork& network, 
   if (is_closed(options) && is_rounding) close_rates(network.pore_volume, rate);
   std::optional<SlightCompressibility> compressibility;
   if (options.bulk_modulus) compressibility = SlightCompressibility{*options.bulk_modulus, dt, state.pressure};
-  SinglePhaseFlow flow = solve(options, network, domain, rate, compressibility, cache);
+  SinglePhaseFlow flow = solve(options, network, domain, rate, compressibility, state.pressure, cache);
   for (int face = 0; face < 6; ++face) state.inflow[to_size(face)].add(dt * flow.face_inflow[to_size(face)]);
   if (options.bulk_modulus)
     for (std::size_t p = 0; p < rate.size(); ++p)
@@ -128,7 +117,7 @@ void renew_network(const SaturatedOptions& options, const std::vector<Vec3>& cen
   state.cells_renewed += static_cast<long>(rebuilt.match.appeared.index.size());
   ++state.remeshes;
   network = std::move(rebuilt.network);
-  renew_cache(options, network, particles, domain, cache);
+  renew_cache(options, network, particles.radius, state.place, cache);
 }
 
 }  // namespace
@@ -140,6 +129,17 @@ double SaturatedState::ledger_error() const {
   return sum.value() / void_start;
 }
 
+void renew_cache(const SaturatedOptions& options, const PoreNetwork& network, std::span<const double> radius,
+                 const NetworkPlace& place, SaturatedCache& cache) {
+  cache.areas =
+      pushed_areas(network, PackingSites(place.centre, radius, place.domain), ThroatShare::surface, options.network.no_slip);
+  constexpr int cholesky_limit = 150'000;  // unknowns: one factor serves hundreds of steps
+  PressureSolverOptions solver = cache.memory.solver;
+  solver.cholesky_limit = std::max(solver.cholesky_limit, cholesky_limit);
+  cache.memory = {};
+  cache.memory.solver = solver;
+}
+
 SaturatedState start_saturated(const SaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
                                GrainSystem& grains, SaturatedCache& cache) {
   SaturatedState state;
@@ -147,7 +147,7 @@ SaturatedState start_saturated(const SaturatedOptions& options, const PoreNetwor
   state.pore_volume = network.pore_volume;
   state.void_start = state.void_now = sum_of(network.pore_volume);
   state.pressure.assign(to_size(network.pores()), 0.0);
-  renew_cache(options, network, particles, grains.domain, cache);
+  renew_cache(options, network, particles.radius, state.place, cache);
   set_forces(options, network, particles, grains, state, cache);
   return state;
 }
@@ -197,7 +197,7 @@ double coupling_limit(const SaturatedOptions& options, const PoreNetwork& networ
     std::vector<double> change(before.size());
     for (std::size_t p = 0; p < change.size(); ++p) change[p] = (after[p] - before[p]) / (2.0 * dt);
     if (is_closed(drained)) close_rates(network.pore_volume, change);
-    const std::vector<double> pressure = solve(drained, network, domain, change, {}, cache).pressure;
+    const std::vector<double> pressure = solve(drained, network, domain, change, {}, {}, cache).pressure;
     const FluidForces forces = pressure_forces(network, cache.areas, pressure, {}, particles.size());
     double power = 0.0, kinetic = 0.0;
     for (std::size_t i = 0; i < velocity.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "puadem/base/compensated_sum.hpp"
@@ -52,6 +53,10 @@ struct SaturatedCache {
 /// pressures of `pressure` or none.
 SaturatedState start_saturated(const SaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
                                GrainSystem& grains, SaturatedCache& cache);
+
+/// What a restart keeps no copy of, made again from the places at which the network was: to the last bit what it was.
+void renew_cache(const SaturatedOptions& options, const PoreNetwork& network, std::span<const double> radius,
+                 const NetworkPlace& place, SaturatedCache& cache);
 
 /// One coupled step: grains first, `substeps` of their own under the forces of the fluid that were found last; then the
 /// fluid over the same time, driven by the exact change of every pore; a new network where the grains ask for one; new

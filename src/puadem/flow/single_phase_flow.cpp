@@ -239,6 +239,8 @@ class Solve {
     for (int n = 0; n < graph().nodes(); ++n) {
       const int u = memory_.unknown[to_size(n)];
       if (u >= 0) right[to_size(u)] += problem_.viscosity * source_[to_size(n)];
+      if (u >= 0 && !problem_.guess.empty())
+        memory_.solution[to_size(u)] = problem_.guess[to_size(graph().node_pore[to_size(n)])] - reference_;
       if (prescribed_[to_size(n)]) pressure[to_size(n)] = *prescribed_[to_size(n)] - reference_;
     }
     for (int k = 0; k < graph().links(); ++k) {

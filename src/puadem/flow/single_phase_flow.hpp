@@ -45,6 +45,7 @@ struct SinglePhaseProblem {
   std::span<const double> volume_rate;  ///< dV_i/dt per pore [m3/s]; empty: grains at rest
   std::optional<SlightCompressibility> compressibility;
   std::optional<ConductanceLimits> conductance_limits;
+  std::span<const double> guess;  ///< per pore, where iterations start; empty: the last pressures of the memory [Pa]
 };
 
 struct SinglePhaseFlow {

@@ -302,6 +302,12 @@ void fields(auto& a, Is<TwoPhaseProgress> auto& at) {
        awaited, last_picture, breaks_through, ends, before_jump, stop, stop_end);
 }
 
+void fields(auto& a, Is<SaturatedProgress> auto& at) {
+  auto& [start, diameter, height, began, duration, interval, longest_step, step, rows, profiles] = at;
+  each(a, "start diameter height began duration interval longest_step step rows profiles", start, diameter, height, began,
+       duration, interval, longest_step, step, rows, profiles);
+}
+
 void fields(auto& a, Is<RunPosition> auto& position) {
   auto& [stage, is_packing_shown, progress] = position;
   each(a, "stage is_packing_shown progress", stage, is_packing_shown, progress);
