@@ -146,11 +146,12 @@ bool same(const CompactStage& a, const CompactStage& b) {
 }
 bool same(const InvasionOptions& a, const InvasionOptions& b) {
   const auto& [air, water, snap_off, trap_wetting, trap_nonwetting, films, corner_water, wall_throats, body_entry, side_pores,
-               trap_check, law] = a;
+               trap_check, cooperative, seed, law] = a;
   return air == b.nonwetting_face && water == b.wetting_face && snap_off == b.snap_off && trap_wetting == b.trap_wetting &&
          trap_nonwetting == b.trap_nonwetting && films == b.corner_films && corner_water == b.corner_water &&
          wall_throats == b.wall_throats && body_entry == b.body_entry && side_pores == b.side_pores &&
-         trap_check == b.trap_check && law.index() == b.retention_law.index();
+         trap_check == b.trap_check && cooperative == b.cooperative_filling && seed == b.seed &&
+         law.index() == b.retention_law.index();
 }
 bool same(const PermeabilityStage& a, const PermeabilityStage& b) {
   const auto& [inlet, pressure_drop, merged, layers] = a;
@@ -300,8 +301,8 @@ TEST(CaseFile, FillsEveryField) {
   const auto& retention = std::get<RetentionStage>(c.stages[1]);
   EXPECT_THAT(retention.path, ElementsAre(400, 1300, 0));
   EXPECT_EQ(retention.step, 50);
-  EXPECT_TRUE(same(retention.invasion,
-                   {3, 2, true, false, false, true, false, false, false, false, TrapCheck::step, PolyhedronRetention{}}));
+  EXPECT_TRUE(same(retention.invasion, {3, 2, true, false, false, true, false, false, false, false, TrapCheck::step, false, 1,
+                                        PolyhedronRetention{}}));
   EXPECT_FALSE(c.output.fields);
   EXPECT_EQ(c.output.fields_every, 4);
   ASSERT_EQ(c.overlays.size(), 1U);

@@ -132,6 +132,7 @@ InvasionState start_invasion(const PoreNetwork& network, const Fluids& fluids, c
   state.options = options;
   state.thresholds = invasion_thresholds(network, fluids, options);
   state.links = pore_links(network);
+  if (options.cooperative_filling) state.thresholds.filling_shares = filling_shares(network, state.links, fluids, options.seed);
   set_reservoirs(network, state);
   saturate(network, state);
   for (InvasionQueue* queue : {&state.drainage, &state.imbibition}) {

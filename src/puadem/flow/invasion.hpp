@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "puadem/flow/cooperative_filling.hpp"
 #include "puadem/flow/fluid_clusters.hpp"
 #include "puadem/flow/fluid_ledger.hpp"
 #include "puadem/flow/fluids.hpp"
@@ -37,6 +38,8 @@ struct InvasionOptions {
   /// no throat between two pores at walls opens. Water passes through them.
   bool side_pores = true;
   TrapCheck trap_check = TrapCheck::event;
+  bool cooperative_filling = false;  ///< open throats of a pore delay its refilling
+  std::uint64_t seed = 1;            ///< of the weights of cooperative filling
   AnyRetentionLaw retention_law = ExponentialRetention{};
 };
 
@@ -69,10 +72,11 @@ struct InvasionEvent {
 struct InvasionThresholds {
   std::vector<CapillaryUnit> unit;        ///< per pore, for the local law
   std::vector<std::uint8_t> keeps_water;  ///< per pore: corner water stays in it when it is invaded
-  std::vector<double> body_pressure;      ///< per pore: not entered below; refilled below if it keeps water [Pa]
+  std::vector<double> body_pressure;      ///< per pore: not entered below; refilled below, or later if pores cooperate [Pa]
   std::vector<double> entry_pressure;     ///< per throat: p_e [Pa]; infinite without a gap
   std::vector<double> snap_off_pressure;  ///< per throat: p_so <= p_e [Pa]; 0: never
   std::vector<std::uint8_t> may_open;     ///< per throat
+  std::vector<double> filling_shares;     ///< see `filling_shares`; empty without cooperative filling
   bool all_keep_water = true;
 };
 
@@ -109,6 +113,10 @@ struct InvasionState {
 
   bool is_counted(int pore) const { return counted[to_size(pore)] != 0; }
   bool is_reservoir(int pore) const { return wetting.reservoir[to_size(pore)] || nonwetting.reservoir[to_size(pore)]; }
+  /// Pressure below which a pore refills now [Pa].
+  double refill_pressure(int pore) const {
+    return puadem::refill_pressure(thresholds.filling_shares, links, nonwetting, thresholds.body_pressure[to_size(pore)], pore);
+  }
   /// Both fluids reach their reservoirs: the unit follows its local law.
   bool is_in_equilibrium(int pore) const {
     return nonwetting.connected[to_size(pore)] && wetting.connected[to_size(pore)] && !is_reservoir(pore);

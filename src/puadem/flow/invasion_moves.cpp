@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "puadem/flow/invasion_queue.hpp"
+#include "puadem/flow/local_law.hpp"
 
 namespace puadem {
 
@@ -31,15 +32,11 @@ double exchange(const PoreNetwork& network, int pore, double new_volume, Invasio
 
 double volume_at_rest(const PoreNetwork& network, int pore, const InvasionState& state) {
   const CapillaryUnit& unit = state.thresholds.unit[to_size(pore)];
-  const double pressure = state.capillary_pressure;
-  const double saturation =
-      std::visit([&](const RetentionLaw auto& law) { return law.saturation(unit, pressure); }, state.options.retention_law);
-  return network.pore_volume[to_size(pore)] * saturation;
+  const double drop = state.thresholds.body_pressure[to_size(pore)] - state.refill_pressure(pore);
+  return network.pore_volume[to_size(pore)] * law_saturation(state.options.retention_law, unit, drop, state.capillary_pressure);
 }
 
-bool is_stable(int pore, const InvasionState& state) {
-  return state.capillary_pressure >= state.thresholds.body_pressure[to_size(pore)];
-}
+bool is_stable(int pore, const InvasionState& state) { return state.capillary_pressure >= state.refill_pressure(pore); }
 
 void set_open(int throat, bool open, InvasionState& state) {
   state.nonwetting.passes[to_size(throat)] = open;
@@ -76,6 +73,11 @@ void release(const PoreNetwork& network, int pore, EventKind kind, InvasionState
   for (const int p : gained) change += settle(network, p, state);
   for (const int p : gained) queue_pore(network, p, state);
   report(on_event, {kind, state.capillary_pressure, std::ranges::min(gained), -1, size_of(gained), change});
+}
+
+// A throat that closes changes the law of its pores: they have the volume of the old one until then.
+void settle_before(const PoreNetwork& network, int pore, InvasionState& state) {
+  if (state.options.cooperative_filling) settle(network, pore, state);
 }
 
 void drain(const PoreNetwork& network, int pore, int throat, InvasionState& state, const InvasionEventCallback& on_event) {
@@ -123,11 +125,11 @@ void fill(const PoreNetwork& network, int pore, InvasionState& state, const Inva
   report(on_event, {EventKind::fill, state.capillary_pressure, pore, -1, 0, change});
 
   std::vector<int> around;
-  for (const auto [neighbour, t] : state.links[pore]) {
-    if (!nonwetting.passes[to_size(t)]) continue;
-    set_open(t, false, state);
-    around.push_back(neighbour);
-  }
+  for (const auto [neighbour, t] : state.links[pore])
+    if (nonwetting.passes[to_size(t)]) around.push_back(neighbour);
+  for (const int neighbour : around) settle_before(network, neighbour, state);
+  for (const auto [neighbour, t] : state.links[pore])
+    if (nonwetting.passes[to_size(t)]) set_open(t, false, state);
   trap(network, around, EventKind::trap_nonwetting, state, on_event);
   for (const auto [neighbour, t] : state.links[pore]) release(network, neighbour, EventKind::free_wetting, state, on_event);
   queue_pore(network, pore, state);
@@ -135,6 +137,7 @@ void fill(const PoreNetwork& network, int pore, InvasionState& state, const Inva
 
 void snap_off(const PoreNetwork& network, int throat, InvasionState& state, const InvasionEventCallback& on_event) {
   const auto [i, j] = network.throat_pores[to_size(throat)];
+  for (const int pore : {i, j}) settle_before(network, pore, state);
   set_open(throat, false, state);
   report(on_event, {EventKind::snap_off, state.capillary_pressure, -1, throat});
   trap(network, std::array{i, j}, EventKind::trap_nonwetting, state, on_event);

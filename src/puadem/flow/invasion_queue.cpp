@@ -42,7 +42,7 @@ std::optional<InvasionCandidate> snap_off_candidate(const PoreNetwork& network, 
 std::optional<InvasionCandidate> fill_candidate(const InvasionState& state, int pore) {
   const std::size_t i = to_size(pore);
   if (!state.nonwetting.connected[i] || state.is_reservoir(pore)) return {};
-  const double body = state.thresholds.body_pressure[i];
+  const double body = state.refill_pressure(pore);
   if (state.thresholds.keeps_water[i]) {
     if (!state.wetting.connected[i]) return {};
     return InvasionCandidate{body, 0.0, pore, Kind::fill};
@@ -99,9 +99,14 @@ bool is_same(const InvasionCandidate& a, const std::optional<InvasionCandidate>&
   return b && a.kind == b->kind && a.pressure == b->pressure;
 }
 
-// The pressure at which a dry pore refills changes with its neighbours: it may stand in the queue more than once.
+// Does the pressure at which a pore refills stay, whatever its neighbours do?
+bool has_fixed_refill(int pore, const InvasionState& state) {
+  return state.thresholds.keeps_water[to_size(pore)] && !state.options.cooperative_filling;
+}
+
+// If it changes with its neighbours, the pore may stand in the queue more than once.
 void queue_fill(int pore, InvasionState& state) {
-  push(fill_candidate(state, pore), state.thresholds.keeps_water[to_size(pore)], imbibes_later, state.imbibition);
+  push(fill_candidate(state, pore), has_fixed_refill(pore, state), imbibes_later, state.imbibition);
 }
 
 }  // namespace
@@ -114,7 +119,7 @@ void queue_throat(const PoreNetwork& network, int throat, InvasionState& state) 
 void queue_pore(const PoreNetwork& network, int pore, InvasionState& state) {
   for (const auto [neighbour, throat] : state.links[pore]) {
     queue_throat(network, throat, state);
-    if (!state.thresholds.keeps_water[to_size(neighbour)]) queue_fill(neighbour, state);
+    if (!has_fixed_refill(neighbour, state)) queue_fill(neighbour, state);
   }
   queue_fill(pore, state);
 }
@@ -135,7 +140,7 @@ std::optional<InvasionCandidate> next_imbibition(const PoreNetwork& network, dou
     const auto now = fills ? fill_candidate(state, first.index) : snap_off_candidate(network, state, first.index);
     if (is_same(first, now)) return first;
     pop(imbibes_later, state.imbibition);
-    if (fills) queue_fill(first.index, state);  // a dry pore whose pressure fell
+    if (fills) queue_fill(first.index, state);  // its pressure fell
   }
   return {};
 }

@@ -63,7 +63,7 @@ bool front_comes(const Moves& m, int pore) {
     tightest = std::max(tightest, m.model.thresholds.entry_pressure[to_size(t)]);
     least = std::min(least, m.across(t, pore, neighbour));
   }
-  return least < std::min(tightest, m.model.thresholds.body_pressure[to_size(pore)]);
+  return least < std::min(tightest, refill_pressure(m.model, m.state.nonwetting, pore));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ std::vector<Filling> fillings(const PoreNetwork& network, const TwoPhaseModel& m
   for (int i = 0; i < network.pores(); ++i) {
     const std::size_t p = to_size(i);
     if (trial.filling[p] != PoreFilling::full || model.pore_boundary[p] >= 0) continue;
-    const double threshold = local_pressure(model, i, 1.0);
+    const double threshold = local_pressure(model, trial.nonwetting_clusters, i, 1.0);
     const double before = state.nonwetting.holds[p] ? capillary_pressure(network, model, i, state) : threshold;
     const Vec3& place = network.pore_centre[p];
     const double after = trial.nonwetting[p] - trial.wetting[p] + hydrostatic(model, FluidPhase::nonwetting, place) -
@@ -60,7 +60,11 @@ ClusterGas gas_of(const PoreNetwork& network, const TwoPhaseModel& model, const 
     const double volume = network.pore_volume[to_size(i)], water = state.wetting_volume[to_size(i)];
     const double pressure = capillary_pressure(network, model, i, state) - pressure_drop;
     gas.volume += volume - water;
-    gas.lost += (pressure > local_pressure(model, i, 1.0) ? local_saturation(model, i, pressure) : 1.0) * volume - water;
+    gas.lost +=
+        (pressure > local_pressure(model, state.nonwetting, i, 1.0) ? local_saturation(model, state.nonwetting, i, pressure)
+                                                                    : 1.0) *
+            volume -
+        water;
   }
   return gas;
 }

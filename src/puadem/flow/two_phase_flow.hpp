@@ -52,7 +52,7 @@ struct TwoPhaseOptions {
   GasKind gas = GasKind::incompressible;
   double reference_pressure = 101325.0;  ///< absolute pressure at which pressures here are 0, for ideal gas [Pa]
   bool snap_off = false;                 ///< see `InvasionOptions::snap_off`
-  bool cooperative_filling = false;      ///< gas in many throats of a pore delays its refilling; not available
+  bool cooperative_filling = false;      ///< open throats of a pore delay its refilling
   std::uint64_t seed = 1;                ///< of the weights of cooperative filling
   bool corner_films = true;              ///< wetting fluid flows through the corners of open throats
   bool touching_first = false;           ///< gas leaves a pore only once it touches its walls, S_i <= S_thr

@@ -43,7 +43,6 @@ void check_options(const PoreNetwork& network, const TwoPhaseModel& model) {
           "iteration");
   require(options.gas != GasKind::ideal || options.reference_pressure > 0.0,
           "ideal gas needs a reference pressure above 0, it is {} Pa", options.reference_pressure);
-  require(!options.cooperative_filling, "cooperative filling is not available: leave cooperative_filling off");
   int with_gas = 0;
   for (const FlowBoundary& b : model.boundaries) with_gas += b.fluid == FluidPhase::nonwetting;
   require(options.gas != GasKind::connected || with_gas == 1,
@@ -130,6 +129,7 @@ TwoPhaseModel make_two_phase_model(const PoreNetwork& network, const Fluids& flu
   rules.retention_law = options.retention_law;
   model.thresholds = invasion_thresholds(network, fluids, rules);
   model.links = pore_links(network);
+  if (options.cooperative_filling) model.thresholds.filling_shares = filling_shares(network, model.links, fluids, options.seed);
   model.pore_boundary.assign(to_size(network.pores()), -1);
   model.is_reservoir.assign(to_size(network.pores()), 0);
   for (int b = 0; b < size_of(model.boundaries); ++b) set_boundary(network, b, model);

@@ -143,8 +143,8 @@ void set_capacitor(Newton& n, int i) {
     return;
   }
   const double s = std::min(n.trial.wetting_volume[p] / n.volume[p], 1.0);
-  n.law_pressure[p] = local_pressure(n.model, i, s);
-  n.capacitance[p] = unit / std::max(-local_slope(n.model, i, s) / n.threshold(i), least_slope);
+  n.law_pressure[p] = n.law(i, s);
+  n.capacitance[p] = unit / std::max(-n.law_slope(i, s) / n.threshold(i), least_slope);
 }
 
 void start_newton(Newton& n) {

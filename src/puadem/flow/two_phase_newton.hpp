@@ -37,6 +37,8 @@ struct Newton {
   }
   double difference(int i) const { return trial.nonwetting[to_size(i)] - trial.wetting[to_size(i)] + height(i); }
   double threshold(int i) const { return model.thresholds.unit[to_size(i)].threshold; }
+  double law(int i, double saturation) const { return local_pressure(model, trial.nonwetting_clusters, i, saturation); }
+  double law_slope(int i, double saturation) const { return local_slope(model, trial.nonwetting_clusters, i, saturation); }
   bool has_capacitor(int i) const {
     const PoreFilling f = trial.filling[to_size(i)];
     return f == PoreFilling::mixed || f == PoreFilling::full || f == PoreFilling::emptied;

@@ -42,7 +42,7 @@ double keep_closed(Newton& n, int i) {
   const std::size_t p = to_size(i);
   Filling& filling = n.trial.filling[p];
   const double now = n.difference(i);
-  const bool leaves = filling == Filling::full ? now > local_pressure(n.model, i, 1.0) : now < local_pressure(n.model, i, 0.0);
+  const bool leaves = filling == Filling::full ? now > n.law(i, 1.0) : now < n.law(i, 0.0);
   const bool misses = std::abs(n.predicted[p] - n.trial.wetting_volume[p]) > overfill * n.volume[p];
   if (leaves) filling = Filling::mixed;
   n.law_pressure[p] = now;
@@ -65,15 +65,15 @@ double move_to_law(Newton& n, int i) {
   if (predicted <= 0.0 && !n.model.thresholds.keeps_water[p] && water < least_left * volume) return close(n, i, Filling::emptied);
   const double least = least_left * water;
   // Where the law is steep, the pressure knows the saturation better than the volume does.
-  if (-local_slope(n.model, i, water / volume) > steep * scale && now > local_pressure(n.model, i, 1.0)) {
-    const double by_law = volume * local_saturation(n.model, i, now);
+  if (-n.law_slope(i, water / volume) > steep * scale && now > n.law(i, 1.0)) {
+    const double by_law = volume * local_saturation(n.model, n.trial.nonwetting_clusters, i, now);
     water = std::max(by_law, least);
     return by_law < least ? not_yet : std::abs(predicted - water) / volume;
   }
   water = std::clamp(predicted, least, volume);
   if (predicted < least) return not_yet;
-  const double miss = std::abs(now - local_pressure(n.model, i, water / volume)) / scale;
-  return miss / std::max(-local_slope(n.model, i, water / volume) / scale, 1.0);
+  const double miss = std::abs(now - n.law(i, water / volume)) / scale;
+  return miss / std::max(-n.law_slope(i, water / volume) / scale, 1.0);
 }
 
 /// The same for a step that is linear: the law stays where it was, and the step fails where it is left too far behind.
@@ -162,7 +162,7 @@ void invade(Newton& n, const PoreInvasion& invasion) {
   const std::size_t into = to_size(invasion.into);
   const auto pressure = [&](int i) {
     if (!n.model.is_counted(i)) return 0.0;
-    return local_pressure(n.model, i, std::clamp(trial.wetting_volume[to_size(i)] / n.volume[to_size(i)], 0.0, 1.0));
+    return n.law(i, std::clamp(trial.wetting_volume[to_size(i)] / n.volume[to_size(i)], 0.0, 1.0));
   };
   const auto open = [&](int throat, int other) {
     set_open(n.network, n.model, throat, true, trial.wetting_clusters, trial.nonwetting_clusters);

@@ -5,7 +5,7 @@
 namespace puadem {
 
 double capillary_pressure(const PoreNetwork& network, const TwoPhaseModel& model, int pore, const TwoPhaseState& state) {
-  return local_pressure(model, pore,
+  return local_pressure(model, state.nonwetting, pore,
                         std::clamp(state.wetting_volume[to_size(pore)] / network.pore_volume[to_size(pore)], 0.0, 1.0));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "puadem/flow/local_law.hpp"
+
 namespace puadem {
 
 namespace {
@@ -131,29 +133,32 @@ void net_outflow(const PoreNetwork& network, std::span<const double> conductance
   }
 }
 
-double local_pressure(const TwoPhaseModel& model, int pore, double saturation) {
-  const CapillaryUnit& unit = model.thresholds.unit[to_size(pore)];
-  if (!model.thresholds.keeps_water[to_size(pore)]) return unit.threshold * (1.0 + dry_slope * (1.0 - saturation));
-  return std::visit(
-      [&](const RetentionLaw auto& law) {
-        return saturation < law.largest_saturation(unit) ? law.capillary_pressure(unit, saturation)
-                                                         : law.saturated_pressure(unit);
-      },
-      model.options.retention_law);
+double refill_pressure(const TwoPhaseModel& model, const FluidClusters& gas, int pore) {
+  const InvasionThresholds& t = model.thresholds;
+  return refill_pressure(t.filling_shares, model.links, gas, t.body_pressure[to_size(pore)], pore);
 }
 
-double local_slope(const TwoPhaseModel& model, int pore, double saturation) {
-  const CapillaryUnit& unit = model.thresholds.unit[to_size(pore)];
-  if (!model.thresholds.keeps_water[to_size(pore)]) return -unit.threshold * dry_slope;
-  return std::visit(
-      [&](const RetentionLaw auto& law) { return saturation < law.largest_saturation(unit) ? law.slope(unit, saturation) : 0.0; },
-      model.options.retention_law);
+double local_pressure(const TwoPhaseModel& model, const FluidClusters& gas, int pore, double saturation) {
+  const std::size_t p = to_size(pore);
+  const double refill = refill_pressure(model, gas, pore);
+  if (!model.thresholds.keeps_water[p]) return refill * (1.0 + dry_slope * (1.0 - saturation));
+  return law_pressure(model.options.retention_law, model.thresholds.unit[p], model.thresholds.body_pressure[p] - refill,
+                      saturation);
 }
 
-double local_saturation(const TwoPhaseModel& model, int pore, double pressure) {
-  const CapillaryUnit& unit = model.thresholds.unit[to_size(pore)];
-  if (!model.thresholds.keeps_water[to_size(pore)]) return 1.0 - (pressure / unit.threshold - 1.0) / dry_slope;
-  return std::visit([&](const RetentionLaw auto& law) { return law.saturation(unit, pressure); }, model.options.retention_law);
+double local_slope(const TwoPhaseModel& model, const FluidClusters& gas, int pore, double saturation) {
+  const std::size_t p = to_size(pore);
+  const double refill = refill_pressure(model, gas, pore);
+  if (!model.thresholds.keeps_water[p]) return -refill * dry_slope;
+  return law_slope(model.options.retention_law, model.thresholds.unit[p], model.thresholds.body_pressure[p] - refill, saturation);
+}
+
+double local_saturation(const TwoPhaseModel& model, const FluidClusters& gas, int pore, double pressure) {
+  const std::size_t p = to_size(pore);
+  const double refill = refill_pressure(model, gas, pore);
+  if (!model.thresholds.keeps_water[p]) return 1.0 - (pressure / refill - 1.0) / dry_slope;
+  return law_saturation(model.options.retention_law, model.thresholds.unit[p], model.thresholds.body_pressure[p] - refill,
+                        pressure);
 }
 
 }  // namespace puadem

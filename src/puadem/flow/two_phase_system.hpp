@@ -55,13 +55,16 @@ double pressure_across(const PoreNetwork& network, const TwoPhaseModel& model, i
 void net_outflow(const PoreNetwork& network, std::span<const double> conductance, std::span<const double> potential,
                  std::span<double> outflow);
 
+/// Pressure below which a pore refills, with gas where it is [Pa].
+double refill_pressure(const TwoPhaseModel& model, const FluidClusters& gas, int pore);
+
 /// Local law of a pore: capillary pressure [Pa] at a saturation in [0, 1], continued through the part where the law has
-/// none (theory 6.1), and its slope dp_c/dS [Pa], below 0.
-double local_pressure(const TwoPhaseModel& model, int pore, double saturation);
-double local_slope(const TwoPhaseModel& model, int pore, double saturation);
+/// none (theory 6.1), and its slope dp_c/dS [Pa], below 0. With cooperative filling it depends on where gas is.
+double local_pressure(const TwoPhaseModel& model, const FluidClusters& gas, int pore, double saturation);
+double local_slope(const TwoPhaseModel& model, const FluidClusters& gas, int pore, double saturation);
 
 /// The law the other way: saturation at a pressure above that of S = 1 [-].
-double local_saturation(const TwoPhaseModel& model, int pore, double pressure);
+double local_saturation(const TwoPhaseModel& model, const FluidClusters& gas, int pore, double pressure);
 
 /// Hydrostatic part of a pressure, rho g . x [Pa].
 inline double hydrostatic(const TwoPhaseModel& model, FluidPhase fluid, const Vec3& place) {

@@ -85,6 +85,14 @@ const Section<CompactStage>& stage_section() {
   return section;
 }
 
+KeyInfo cooperative_filling_key() {
+  return flag("cooperative_filling", "the more open throats a pore has, the lower the capillary pressure at which it refills");
+}
+
+KeyInfo filling_seed_key() {
+  return whole("filling_seed", 0, 1e15, "of the random weights of the throats in cooperative filling", "1");
+}
+
 template <>
 const Section<RetentionStage>& stage_section() {
   static const Section<RetentionStage> section = [] {
@@ -117,6 +125,10 @@ const Section<RetentionStage>& stage_section() {
                       "and entered from inner pores only",
                       &InvasionOptions::side_pores),
         trap_check_field(),
+        bind<RetentionStage>(
+            cooperative_filling_key(), [](auto& s) -> auto& { return s.invasion.cooperative_filling; }),
+        bind<RetentionStage>(
+            filling_seed_key(), [](auto& s) -> auto& { return s.invasion.seed; }),
         bind_law<RetentionStage, AnyRetentionLaw>(
             "retention_law", "capillary pressure of a unit that holds both fluids",
             [](auto& s) -> auto& { return s.invasion.retention_law; }),

@@ -33,6 +33,10 @@ const Section<StrainStage>& stage_section();
 template <>
 const Section<SaturatedStage>& stage_section();
 
+/// Keys of cooperative filling, the same in all stages of two fluids.
+KeyInfo cooperative_filling_key();
+KeyInfo filling_seed_key();
+
 /// The key `kind`, which tells the stages apart and stores nothing.
 template <class S>
 Field<S> kind_field(std::string help) {

@@ -148,6 +148,8 @@ void add_physics(Fields& fields) {
                                    "absolute pressure where pressures of the case are 0, for gas = \"ideal\""),
                           &O::reference_pressure));
   fields.push_back(option(flag("snap_off", "open throats may close by their corner menisci"), &O::snap_off));
+  fields.push_back(option(cooperative_filling_key(), &O::cooperative_filling));
+  fields.push_back(option(filling_seed_key(), &O::seed));
   fields.push_back(option(flag("corner_films", "the wetting fluid flows through the corners of open throats"), &O::corner_films));
   fields.push_back(
       option(flag("touching_first", "gas leaves a pore only once its bubble touches the walls of the pore"), &O::touching_first));

@@ -198,6 +198,7 @@ json stage_rows(const RetentionStage& s) {
                            {"Corner films connect", yes_no(o.corner_films)},
                            {"Corner water stays", yes_no(o.corner_water)},
                            {"Invasion along walls", yes_no(o.wall_throats)}});
+  if (o.cooperative_filling) rows.push_back({"Cooperative filling", fmt::format("yes, seed {}", o.seed)});
   // Conventions of other codes are named where they are in force.
   if (!o.body_entry) rows.push_back({"Bodies resist entry", yes_no(false)});
   if (!o.side_pores) rows.push_back({"Pores at side walls count", yes_no(false)});

@@ -127,6 +127,7 @@ json two_phase_rows(const TwoPhaseStage& s) {
                                                             : "ideal where cut off"});
   rows.push_back({"Corner films flow", yes_no(o.corner_films)});
   rows.push_back({"Snap-off", yes_no(o.snap_off)});
+  if (o.cooperative_filling) rows.push_back({"Cooperative filling", fmt::format("yes, seed {}", o.seed)});
   if (norm(o.gravity) > 0.0)
     rows.push_back({"Gravity", fmt::format("{:.4g}, {:.4g}, {:.4g} m/s²", o.gravity.x, o.gravity.y, o.gravity.z)});
   rows.push_back({"Change of the front in a step", fmt::format("{:.4g}", o.steps.front_change)});
