@@ -92,7 +92,8 @@ Observer combined(const Observer& recorder, ProgressLine& line, const RunOptions
 }
 
 /// Runs the stages; what went wrong ends up in the outcome.
-RunResults run_stages(const Case& c, State& state, const Observer& observer, RunResults results, RunOutcome& outcome) {
+RunResults run_stages(const Case& c, State& state, const Observer& observer, RunResults results, ResultsFolder& folder,
+                      RunOutcome& outcome) {
   try {
     results = run(c, state, observer, std::move(results));
     const auto missed = missed_bounds(c, results);
@@ -109,6 +110,8 @@ RunResults run_stages(const Case& c, State& state, const Observer& observer, Run
   } catch (const NumericalError& error) {
     outcome.exit_code = physics_stopped;
     outcome.error = error.what();
+    if (record_safe_place(folder, c))
+      outcome.error += fmt::format("; the last safe place before is kept: puadem resume {}", folder.path.string());
   } catch (const std::bad_alloc&) {
     outcome.exit_code = physics_stopped;
     outcome.error = "out of memory; try fewer grains (grains.count)";
@@ -135,7 +138,7 @@ int run_to_end(const Case& c, State& state, RunResults results, ResultsFolder& f
   const Observer recorder = recording_observer(folder, c);
   {
     ProgressLine line(stderr);
-    results = run_stages(c, state, combined(recorder, line, options), std::move(results), outcome);
+    results = run_stages(c, state, combined(recorder, line, options), std::move(results), folder, outcome);
   }
   if (outcome.exit_code != interrupted && !outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
   finish_results(folder, c, state, &results, outcome.exit_code, outcome.error);

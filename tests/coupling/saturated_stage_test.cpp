@@ -9,6 +9,7 @@
 #include "puadem/coupling/wall_guard.hpp"
 
 using namespace puadem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 namespace {
@@ -105,6 +106,50 @@ TEST(SaturatedStage, TooLongAnIntervalIsRefusedWithTheLimit) {
   c.stages.emplace_back(stage);
   State state;
   EXPECT_THAT([&] { run(c, state, {}); }, ::testing::ThrowsMessage<InputError>(HasSubstr("the limit is")));
+}
+
+TEST(SaturatedStage, AClosedBoxUnderALoadedWallIsRefusedBeforeTheFirstStep) {
+  Case c = column();
+  SaturatedStage stage = load();
+  stage.drained = {};
+  stage.duration = 1e-3;
+  c.stages.emplace_back(stage);
+  State state;
+  EXPECT_THAT([&] { run(c, state, {}); },
+              ::testing::ThrowsMessage<InputError>(AllOf(HasSubstr("the top wall cannot move"), HasSubstr("drain a face"))));
+  EXPECT_FALSE(state.saturated);
+}
+
+TEST(SaturatedStage, ARunThatStopsSaysWhereAndGoesOnFromItsLastSafePlace) {
+  Case c = column();
+  State state, safe;
+  run(c, state, {});
+  for (Wall& wall : state.grains->walls)
+    if (wall.face == 5) wall.point.z += 5e-3;  // far above the grains
+  state.grains->domain.upper.z += 5e-3;
+  SaturatedStage stage = load();
+  stage.duration = 1e-3;
+  c.stages = {stage};
+  RunResults results;
+  Observer observer;
+  observer.safe_place = [&](const State& at, const RunResults& so_far, bool) {
+    safe = at;
+    results = so_far;
+  };
+  std::string first, second;
+  try {
+    run(c, state, observer);
+  } catch (const NumericalError& error) {
+    first = error.what();
+  }
+  EXPECT_THAT(first, AllOf(HasSubstr("stage saturated-flow at "), HasSubstr("the top wall, which holds 1.1e+05 Pa, has outrun")));
+  ASSERT_TRUE(safe.saturated);
+  try {
+    run(c, safe, {}, results);
+  } catch (const NumericalError& error) {
+    second = error.what();
+  }
+  EXPECT_EQ(first, second);
 }
 
 TEST(WallGuard, AWallThatHasOutrunTheGrainsStopsTheRunWithPlaceAndCause) {

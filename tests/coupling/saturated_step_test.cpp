@@ -17,6 +17,7 @@
 
 using namespace puadem;
 using namespace puadem::testing;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 namespace {
@@ -219,4 +220,63 @@ TEST(SaturatedStep, AnswersDoNotDependOnTheNumberOfThreads) {
   set_threads(0);
   EXPECT_EQ(one.first, three.first);
   EXPECT_EQ(one.second, three.second);
+}
+
+TEST(SaturatedStep, AStepFromASavedStateIsTheStepThatWouldHaveBeen) {
+  using Method = PressureSolverOptions::Method;
+  for (const Method method : {Method::cholesky, Method::multigrid}) {
+    Bed bed(bed_of(200, layer), 0.1, true, {0, 0, -9.81});
+    bed.cache.memory.solver.method = method;
+    bed.shake(0.02);
+    bed.grains.time_step = 2e-6;
+    for (int k = 0; k < 5; ++k) bed.step(2);
+    GrainSystem grains = bed.grains;
+    Particles particles = bed.particles;
+    PoreNetwork network = bed.network;
+    SaturatedState state = bed.state;
+    SaturatedCache cache;
+    cache.memory.solver = bed.cache.memory.solver;
+    renew_cache(bed.options, network, particles.radius, state.place, cache);
+    bed.step(2);
+    saturated_step(bed.options, 2, grains, particles, network, state, cache);
+    EXPECT_EQ(bed.state.pressure, state.pressure);
+    EXPECT_EQ(bed.grains.external_force, grains.external_force);
+  }
+}
+
+TEST(SaturatedStep, AGrainThatHasEscapedStopsTheRunWithItsPlace) {
+  Bed bed(bed_of(100, layer), 0.1, true);
+  bed.grains.time_step = 2e-6;
+  bed.step();
+  bed.grains.record[7].place[2] = bed.grains.domain.upper.z + 0.2 * radius;
+  EXPECT_THAT([&] { bed.step(); }, ::testing::ThrowsMessage<NumericalError>(
+                                       AllOf(HasSubstr(fmt::format("step 2: grain {} of radius", bed.grains.identity[7])),
+                                             HasSubstr("the top wall, to ("))));
+}
+
+TEST(SaturatedStep, AVanishedPoreJoinsAnotherOneThatIsClosedOffStopsTheRunWithItsPlace) {
+  Bed bed(bed_of(100, layer), 0.1, true);
+  const int pores = bed.network.pores();
+  bed.grains.time_step = 2e-6;
+  for (double& r : bed.particles.radius) r *= 1.2;  // in the eyes of the fluid alone
+  bed.options.remesh_strain = 10.0;
+  bed.step();
+  EXPECT_EQ(bed.state.remeshes, 1);
+  EXPECT_LT(bed.network.pores(), pores);
+  EXPECT_LT(std::abs(bed.state.ledger_error()), 1e-12);
+  EXPECT_THAT([&] { bed.step(); }, ::testing::ThrowsMessage<NumericalError>(
+                                       AllOf(HasSubstr("cut off from every given pressure"), HasSubstr("around pore 243 at ("))));
+  Bed full(bed_of(100, layer), 0.1, true);
+  full.grains.time_step = 2e-6;
+  for (double& r : full.particles.radius) r *= 1.6;
+  EXPECT_THAT([&] { full.step(); }, ::testing::ThrowsMessage<NumericalError>(
+                                        AllOf(HasSubstr("no void is left between them"), HasSubstr("grains 0 and 99 at ("))));
+}
+
+TEST(SaturatedStep, ATurnedCellThatANewNetworkDoesNotMendStopsTheRunWithItsPlace) {
+  Bed bed(bed_of(100, layer), 0.1, true);
+  bed.grains.time_step = 2e-6;
+  bed.state.place.orientation[11] = static_cast<std::int8_t>(-bed.state.place.orientation[11]);
+  EXPECT_THAT([&] { bed.step(); }, ::testing::ThrowsMessage<NumericalError>(
+                                       AllOf(HasSubstr("step 1: tetrahedron 11 beside grain"), HasSubstr("does not mend it"))));
 }

@@ -49,6 +49,26 @@ Balance squeeze(const ContactOptions& contact, double damping) {
   return {end, (end.stored() + end.taken() - start.stored() - start.taken() - end.input) / end.input};
 }
 
+TEST(Energy, TheWorkOfASuddenWallIsBookedWithItsStep) {
+  const Material m = test::material(1e7, 0.3, 2650);
+  const Particles p = make_particles(std::vector<Vec3>{{0, 0, 0.99e-3}}, std::vector<double>{1e-3}, m);
+  GrainSystem s = test::free_grains(p, m, contact_of(ContactOptions::Law::linear_spring), 0.1);
+  Wall wall;
+  wall.normal = {0, 0, 1};
+  s.walls.push_back(wall);
+  s.time_step = 1e-8;  // the grain hardly moves
+  evaluate_forces(s);
+  open_energy_book(s);
+  const Energies start = energies(s);
+  s.walls[0].velocity = {0, 0, 100.0};
+  advance_grains(s, 1);
+  evaluate_forces(s);
+  const Energies end = energies(s);
+  const double input = end.input - start.input;
+  EXPECT_GT(input, 0.1 * start.normal);
+  EXPECT_NEAR(end.stored() - start.stored(), input, 1e-3 * input);
+}
+
 TEST(Energy, InputIsStoredOrLostWithEitherLaw) {
   for (const auto law : {ContactOptions::Law::linear_spring, ContactOptions::Law::hertz_mindlin}) {
     ContactOptions contact = contact_of(law, 0.2);

@@ -1,5 +1,6 @@
 #include "puadem/coupling/run.hpp"
 
+#include "puadem/base/error.hpp"
 #include "puadem/base/parallel.hpp"
 #include "puadem/coupling/stages.hpp"
 
@@ -73,6 +74,9 @@ RunResults run(const Case& c, State& state, const Observer& observer, RunResults
     state.position = {};  // another case may go on from here
   } catch (const Interrupted&) {
     results.interrupted = true;
+  } catch (const NumericalError& error) {
+    if (!couples(c.stages[to_size(stage)])) throw;
+    throw NumericalError(fmt::format("stage {} at {:.6g} s: {}", stage_name(c, stage), state.time, error.what()));
   }
   if (state.particles.size() > 0) describe_packing(state, results);
   return results;

@@ -109,9 +109,30 @@ std::vector<double> carried_pressure(const PoreNetwork& before, const RebuiltNet
   return result;
 }
 
-void renew_network(const SaturatedOptions& options, const std::vector<Vec3>& centre, const Particles& particles,
-                   const Domain& domain, PoreNetwork& network, SaturatedState& state, SaturatedCache& cache) {
-  RebuiltNetwork rebuilt = remesh(network, {}, centre, particles, domain, options.network, state.place);
+/// The new cells tile the box: their voids add to what the moved ones added to.
+void require_tiling(const PoreNetwork& before, const PoreNetwork& now, const Particles& particles, int inverted, double space,
+                    long step) {
+  constexpr double tolerance = 1e-9;  // of the void; rounding leaves 1e-13
+  const double change = sum_of(now.pore_volume) / space - 1.0;
+  if (std::abs(change) < tolerance) return;
+  std::string place = "no cell has turned inside out";
+  if (inverted >= 0) {
+    const auto& vertices = before.triangulation.vertices[to_size(inverted)];
+    const auto grain = std::ranges::find_if(vertices, [](const Vertex& v) { return !v.is_wall(); });
+    const Vec3& x = particles.position[to_size(grain->index)];
+    place = fmt::format("tetrahedron {} beside grain {} at ({:.6g}, {:.6g}, {:.6g}) m has turned inside out", inverted,
+                        grain->index, x.x, x.y, x.z);
+  }
+  throw NumericalError(
+      fmt::format("step {}: {}, and a new network does not mend it: its void differs by {:.3g} of all; grains have moved too far "
+                  "within one coupled step",
+                  step, place, change));
+}
+
+void renew_network(const SaturatedOptions& options, const std::vector<Vec3>& centre, int inverted, const Particles& particles,
+                   const GrainSystem& grains, PoreNetwork& network, SaturatedState& state, SaturatedCache& cache) {
+  RebuiltNetwork rebuilt = remesh(network, {}, centre, particles, grains.domain, options.network, state.place);
+  require_tiling(network, rebuilt.network, particles, inverted, state.void_now, grains.steps);
   state.pressure = carried_pressure(network, rebuilt, state.pressure);
   state.pore_volume = rebuilt.network.pore_volume;
   state.cells_renewed += static_cast<long>(rebuilt.match.appeared.index.size());
@@ -162,12 +183,13 @@ void saturated_step(const SaturatedOptions& options, long substeps, GrainSystem&
   const std::vector<Vec3> centre = followed_centres(state.place, particles, grains.domain);
   MovedVoids voids = moved_voids(network, state.place, centre, particles.radius, grains.domain);
   const double strain = std::abs(sum_of(voids.pore) / sum_of(network.pore_volume) - 1.0);
+  const bool has_vanished = std::ranges::any_of(voids.pore, [](double space) { return space <= 0.0; });
   advance_fluid(options, network, grains.domain, dt, std::move(voids.pore), state, cache);
   set_forces(options, network, particles, grains, state, cache);
 
-  if (voids.inverted >= 0 || largest_displacement(state.place, centre) > options.remesh_displacement ||
-      strain > options.remesh_strain)
-    renew_network(options, centre, particles, grains.domain, network, state, cache);
+  if (voids.inverted >= 0 || has_vanished || strain > options.remesh_strain ||
+      largest_displacement(state.place, centre) > options.remesh_displacement)
+    renew_network(options, centre, voids.inverted, particles, grains, network, state, cache);
   ++state.steps;
 }
 

@@ -177,7 +177,12 @@ Observer recording_observer(ResultsFolder& folder, const Case& c) {
   observer.history = [&folder, &c](const State& state, const HistoryRow& row) { record_history(folder, c, state, row); };
   observer.safe_place = [&folder, &c](const State& state, const RunResults& results, bool is_last) {
     const std::chrono::duration<double> since = Clock::now() - folder.last_checkpoint;
-    if (is_last || since.count() >= c.output.checkpoint_every) record_checkpoint(folder, c, state, results);
+    const int stage = state.position.stage;
+    const bool moves_grains = stage < size_of(c.stages) && !puts_fluid(c.stages[to_size(stage)]);
+    if (is_last || since.count() >= c.output.checkpoint_every)
+      record_checkpoint(folder, c, state, results);
+    else if (moves_grains)
+      keep_safe_place(folder, state, results);
   };
   record_two_phase(folder, c, observer);
   record_coupled(folder, c, observer);

@@ -22,41 +22,57 @@ struct FlowPicture {
   std::string bytes;        ///< see section_picture
 };
 
+/// What a recording must remember to go on from a checkpoint.
+struct RecordingMemory {
+  std::vector<std::string> warnings;  ///< messages that begin with "warning: ", without that word
+  double wall_time_before = 0.0;      ///< of a run that was taken up again, until then [s]
+  std::string started_utc;            ///< ISO 8601
+  bool has_result = false;            ///< a packing or an equilibrium is on disk
+  std::vector<VtkFrame> grain_frames, contact_frames, pore_frames, throat_frames, flow_pore_frames, flow_throat_frames;
+  bool has_distributions = false;
+  int equilibria = 0;
+  long events_seen = 0;
+  std::string history_stage;  ///< of the last history row
+  int fields_written = 0;     ///< sets of files of that stage
+  long flow_events_seen = 0;
+  std::vector<FlowPicture> pictures;
+  std::string last_stage;
+  int checkpoints = 0;                ///< written so far
+  std::vector<std::string> files;     ///< the series below the folder; empty: not begun
+  std::vector<std::int64_t> lengths;  ///< of them [B]
+};
+
+/// A place a run can go on from.
+struct SafePlace {
+  State state;
+  RunResults results;
+  RecordingMemory recording;
+};
+
 /// The folder of one run, and what must be remembered between calls of the observer. It must outlive
 /// the observer that writes into it.
 ///
 /// Whole files are written beside their place and renamed; series grow line by line and are cut back
 /// to their last whole line where a write fails. Nothing half-written is ever seen.
-struct ResultsFolder {
+struct ResultsFolder : RecordingMemory {
   std::filesystem::path path;
-  std::string case_text;              ///< the case file, as given
-  std::string resolved_text;          ///< the same in SI units
-  std::vector<std::string> warnings;  ///< messages that begin with "warning: ", without that word
+  std::string case_text;      ///< the case file, as given
+  std::string resolved_text;  ///< the same in SI units
 
   // Progress of the recording.
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
-  double wall_time_before = 0.0;       ///< of a run that was taken up again, until then [s]
-  std::string started_utc;             ///< ISO 8601
   std::filesystem::path created_from;  ///< topmost folder made for this run; ends in "." where there was none
   std::string previous_latest;         ///< what `latest` pointed to before; empty: nothing
   bool linked = false;                 ///< `latest` was set to this run
-  bool has_result = false;             ///< a packing or an equilibrium is on disk
-  std::vector<VtkFrame> grain_frames, contact_frames, pore_frames, throat_frames, flow_pore_frames, flow_throat_frames;
-  bool has_distributions = false;
-  int equilibria = 0;
-  long events_seen = 0;
-  std::string history_stage;                                                                      ///< of the last history row
-  int fields_written = 0;                                                                         ///< sets of files of that stage
   AppendFile log, progress, retention, events, compaction, history, pressure, flow, flow_events;  ///< opened when first needed
   AppendFile saturated, pressure_profile;                                                         ///< the same
-  long flow_events_seen = 0;
-  std::optional<SectionMap> section;  ///< of the pictures
-  int section_pores = 0;              ///< of the network it was cut from
-  std::vector<FlowPicture> pictures;
+  std::optional<SectionMap> section;                                                              ///< of the pictures
+  int section_pores = 0;  ///< of the network it was cut from
   std::chrono::steady_clock::time_point last_progress{};
-  std::string last_stage;
-  int checkpoints = 0;  ///< written so far
   std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
+  std::optional<SafePlace> safe_place;  ///< the last of a stage that moves grains, of which no checkpoint is on disk
+  std::chrono::steady_clock::time_point last_copy{};
+  std::chrono::duration<double> copy_time{};  ///< that it took
 };
 
 /// The files that grow, in a fixed order.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "puadem/base/error.hpp"
 #include "puadem/io/case_file.hpp"
@@ -30,44 +31,57 @@ void fields(auto& a, Is<FlowPicture> auto& picture) {
   each(a, "stage time saturation bytes", stage, time, saturation, bytes);
 }
 
+void fields(auto& a, Is<RecordingMemory> auto& memory) {
+  auto& [warnings, wall_time_before, started_utc, has_result, grain_frames, contact_frames, pore_frames, throat_frames,
+         flow_pore_frames, flow_throat_frames, has_distributions, equilibria, events_seen, history_stage, fields_written,
+         flow_events_seen, pictures, last_stage, checkpoints, files, lengths] = memory;
+  each(a, "warnings wall_time_before started_utc has_result grain_frames contact_frames pore_frames throat_frames", warnings,
+       wall_time_before, started_utc, has_result, grain_frames, contact_frames, pore_frames, throat_frames);
+  each(a, "flow_pore_frames flow_throat_frames has_distributions equilibria events_seen history_stage fields_written",
+       flow_pore_frames, flow_throat_frames, has_distributions, equilibria, events_seen, history_stage, fields_written);
+  each(a, "flow_events_seen pictures last_stage checkpoints files lengths", flow_events_seen, pictures, last_stage, checkpoints,
+       files, lengths);
+}
+
 namespace {
 
 std::string checkpoint_name(int number) { return fmt::format("checkpoint_{:05}.h5", number); }
 
-/// What the recording remembers, for the archive.
-void each_memory(auto& a, auto& f) {
-  each(a, "warnings started_utc wall_time has_result has_distributions equilibria events_seen", f.warnings, f.started_utc,
-       f.wall_time_before, f.has_result, f.has_distributions, f.equilibria, f.events_seen);
-  each(a, "history_stage fields_written flow_events_seen pictures last_stage checkpoints", f.history_stage, f.fields_written,
-       f.flow_events_seen, f.pictures, f.last_stage, f.checkpoints);
-  each(a, "grain_frames contact_frames pore_frames throat_frames flow_pore_frames flow_throat_frames", f.grain_frames,
-       f.contact_frames, f.pore_frames, f.throat_frames, f.flow_pore_frames, f.flow_throat_frames);
-}
-
-void write_memory(ArchiveWriter archive, ResultsFolder& folder) {
-  std::vector<std::string> names;
-  std::vector<std::int64_t> lengths;
+/// What the recording is to remember, with all series on disk.
+RecordingMemory remember(ResultsFolder& folder) {
+  folder.files.clear();
+  folder.lengths.clear();
   for (AppendFile* file : append_files(folder)) {
     file->flush();
-    names.push_back(file->is_open() ? file->path().lexically_relative(folder.path).string() : "");
-    lengths.push_back(static_cast<std::int64_t>(file->length()));
+    folder.files.push_back(file->is_open() ? file->path().lexically_relative(folder.path).string() : "");
+    folder.lengths.push_back(static_cast<std::int64_t>(file->length()));
   }
-  each(archive, "files lengths", names, lengths);
   folder.wall_time_before = wall_seconds(folder);
   folder.started = std::chrono::steady_clock::now();
-  each_memory(archive, folder);
+  return folder;
 }
 
-void read_memory(ArchiveReader archive, ResultsFolder& folder) {
-  std::vector<std::string> names;
-  std::vector<std::int64_t> lengths;
-  each(archive, "files lengths", names, lengths);
+/// Opens the series where they ended.
+void open_series(ResultsFolder& folder) {
   const auto files = append_files(folder);
-  require(names.size() == files.size() && lengths.size() == files.size(), "the checkpoint lists {} series in place of {}",
-          names.size(), files.size());
-  each_memory(archive, folder);
+  require(folder.files.size() == files.size() && folder.lengths.size() == files.size(),
+          "the checkpoint lists {} series in place of {}", folder.files.size(), files.size());
   for (std::size_t k = 0; k < files.size(); ++k)
-    if (!names[k].empty()) *files[k] = AppendFile(folder.path / names[k], static_cast<std::uintmax_t>(lengths[k]));
+    if (!folder.files[k].empty())
+      *files[k] = AppendFile(folder.path / folder.files[k], static_cast<std::uintmax_t>(folder.lengths[k]));
+}
+
+void write_next_checkpoint(ResultsFolder& folder, const Case& c, const State& state, const RunResults& results,
+                           RecordingMemory recording) {
+  const fs::path place = folder.path / "checkpoints";
+  std::error_code ignored;
+  fs::create_directory(place, ignored);
+  recording.checkpoints = ++folder.checkpoints;
+  write_checkpoint(place / checkpoint_name(folder.checkpoints), folder.resolved_text, state, results,
+                   [&](ArchiveWriter& archive) { archive("recording", recording); });
+  folder.last_checkpoint = std::chrono::steady_clock::now();
+  if (c.output.checkpoints == OutputOptions::Checkpoints::latest && folder.checkpoints > 2)
+    fs::remove(place / checkpoint_name(folder.checkpoints - 2), ignored);
 }
 
 /// Takes away what the run wrote after the checkpoint.
@@ -118,15 +132,30 @@ fs::path copied(const fs::path& run, const fs::path& output) {
 }  // namespace
 
 void record_checkpoint(ResultsFolder& folder, const Case& c, const State& state, const RunResults& results) {
-  const fs::path place = folder.path / "checkpoints";
-  std::error_code ignored;
-  fs::create_directory(place, ignored);
-  ++folder.checkpoints;
-  write_checkpoint(place / checkpoint_name(folder.checkpoints), folder.resolved_text, state, results,
-                   [&](ArchiveWriter& archive) { write_memory(archive.inside("recording"), folder); });
-  folder.last_checkpoint = std::chrono::steady_clock::now();
-  if (c.output.checkpoints == OutputOptions::Checkpoints::latest && folder.checkpoints > 2)
-    fs::remove(place / checkpoint_name(folder.checkpoints - 2), ignored);
+  folder.safe_place.reset();
+  write_next_checkpoint(folder, c, state, results, remember(folder));
+}
+
+void keep_safe_place(ResultsFolder& folder, const State& state, const RunResults& results) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double copies_worth = 100.0;  // of its own time between two copies
+  const auto begin = Clock::now();
+  if (begin - folder.last_copy < copies_worth * folder.copy_time) return;
+  folder.safe_place = {state, results, remember(folder)};
+  folder.last_copy = Clock::now();
+  folder.copy_time = folder.last_copy - begin;
+}
+
+bool record_safe_place(ResultsFolder& folder, const Case& c) {
+  if (!folder.has_result) return false;  // a run without any leaves no folder behind
+  const auto place = std::exchange(folder.safe_place, std::nullopt);
+  try {
+    if (place) write_next_checkpoint(folder, c, place->state, place->results, place->recording);
+  } catch (const InputError& error) {
+    folder.warnings.emplace_back(error.what());
+    return false;
+  }
+  return folder.checkpoints > 0;
 }
 
 Resumed resume_run(const fs::path& run, std::optional<fs::path> from, std::optional<fs::path> output) {
@@ -146,7 +175,8 @@ Resumed resume_run(const fs::path& run, std::optional<fs::path> from, std::optio
   r.folder.case_text = read_text_file(run / "case.toml");
   r.folder.resolved_text = read_text_file(resolved);
   read_checkpoint(r.checkpoint, r.c, r.folder.resolved_text, r.state, r.results,
-                  [&](ArchiveReader& archive) { read_memory(archive.inside("recording"), r.folder); });
+                  [&](ArchiveReader& archive) { archive("recording", static_cast<RecordingMemory&>(r.folder)); });
+  open_series(r.folder);
   cut_back(r.folder);
   return r;
 }
