@@ -91,7 +91,7 @@ inline Case impes_case() { return two_phase_case(GasKind::connected, TwoPhaseSch
 
 /// A loaded column with a pressure that rises beneath it: new networks on the way, and grains that are followed over periods.
 inline Case saturated_case() {
-  Case c = grains_of(150, {1, 1, 2});
+  Case c = grains_of(100, {1, 1, 2});
   c.domain.periodic = {true, true, false};
   c.contact.law = ContactOptions::Law::linear_spring;
   c.fluids.wetting = {0.05, 950.0};
@@ -100,9 +100,9 @@ inline Case saturated_case() {
   stage.stress = 14e3;
   stage.inlet = 4;
   stage.inlet_pressure = {0.0, 3e3};
-  stage.inlet_times = {0.0, 6e-4};
+  stage.inlet_times = {0.0, 3e-4};
   stage.bulk_modulus = 1e8;
-  stage.duration = 6e-4;
+  stage.duration = 3e-4;
   stage.remesh_displacement = 2e-3;
   c.stages.emplace_back(stage);
   return c;
