@@ -16,10 +16,6 @@ using ::testing::HasSubstr;
 constexpr double pi = std::numbers::pi;
 constexpr double plane = std::numeric_limits<double>::infinity();
 
-double potential(const StableBranch& branch, const BridgeShape& shape) {
-  return surface_energy(branch.ends, shape) + (branch.control == BridgeControl::suction ? shape.suction * shape.volume : 0.0);
-}
-
 std::vector<StableBranch> branches() {
   std::vector<StableBranch> all;
   for (const auto& ends : {bridge_ends(1, 1, 0), bridge_ends(1, 1, 20 * degrees), bridge_ends(1, 1, 40 * degrees),
@@ -46,12 +42,12 @@ TEST(StableBridge, PullsAsItsEnergyChanges) {
   for (const StableBranch& branch : branches())
     for (const double share : {0.1, 0.6}) {
       const double gap = share * branch.rupture.gap, h = 1e-4 * branch.rupture.gap, grown = 1.0 + 1e-4;
-      const auto at = [&](double d) { return potential(branch, *bridge_on(branch, d)); };
+      const auto at = [&](double d) { return free_energy(branch, *bridge_on(branch, d)); };
       const auto shape = *bridge_on(branch, gap);
       EXPECT_NEAR((at(gap + h) - at(gap - h)) / (2.0 * h), 2.0 * pi * shape.pull, 1e-4 * 2.0 * pi * shape.pull);
       const StableBranch more = stable_branch(branch.ends, branch.control, branch.amount * grown);
       const StableBranch less = stable_branch(branch.ends, branch.control, branch.amount / grown);
-      const double slope = (potential(more, *bridge_on(more, gap)) - potential(less, *bridge_on(less, gap))) /
+      const double slope = (free_energy(more, *bridge_on(more, gap)) - free_energy(less, *bridge_on(less, gap))) /
                            (branch.amount * (grown - 1.0 / grown));
       const double expected = branch.control == BridgeControl::suction ? shape.volume : -shape.suction;
       EXPECT_NEAR(slope, expected, 1e-4 * std::abs(expected) + 1e-5 * shape.pull / shape.sides[0].contact_radius);
@@ -83,7 +79,7 @@ TEST(StableBridge, HasLessEnergyThanTheOtherBridgeAtTheSameGap) {
     }
     const auto other = *bridge_shape(branch.ends, branch.amount, low), stable = *bridge_on(branch, share * branch.rupture.gap);
     EXPECT_NEAR(other.gap, stable.gap, 1e-12);
-    EXPECT_LT(potential(branch, stable), potential(branch, other));
+    EXPECT_LT(free_energy(branch, stable), free_energy(branch, other));
   }
 }
 

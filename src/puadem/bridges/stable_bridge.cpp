@@ -174,6 +174,10 @@ std::optional<BridgeShape> bridge_on(const StableBranch& branch, double gap) {
   return scaled(*shape, length);
 }
 
+double free_energy(const StableBranch& branch, const BridgeShape& shape) {
+  return surface_energy(branch.ends, shape) + (branch.control == BridgeControl::suction ? shape.suction * shape.volume : 0.0);
+}
+
 double SmallBridge::zero_gap(double gap) const { return std::sqrt(constant + linear * gap * gap); }
 double SmallBridge::pull_at(double gap) const { return pull * (1.0 - gap / zero_gap(gap)); }
 

@@ -23,16 +23,19 @@ StableBranch stable_branch(const std::array<BridgeEnd, 2>& ends, BridgeControl c
 /// @throws NumericalError  where so much liquid would wet an end past its widest circle
 std::optional<BridgeShape> bridge_on(const StableBranch& branch, double gap);
 
-/// Leading order of theory 8.3 for bridges much smaller than the ends: the gap at which the pull vanishes.
-/// At given suction D_0 = 2 c / p, at given volume D_0 = sqrt(D^2 + V / (pi R_e)); c the mean of both cosines.
-struct SmallBridge {
-  double pull;       ///< at contact, R* c [m]
-  double constant;   ///< A and B of D_0^2 = A + B D^2 [m^2]
-  double linear;     ///< [-]
-  double stiffness;  ///< c, so that p = 2 c / D_0 [-]
+/// What the stable bridge has least of among its neighbours, over gamma: the energy of its surfaces, at one suction with
+/// p V added. Its change is the work that moving the ends apart takes (theory 8.2) [m^2].
+double free_energy(const StableBranch& branch, const BridgeShape& shape);
 
-  double zero_gap(double gap) const;
-  double pull_at(double gap) const;
+/// Bridges much smaller than the ends (theory 8.3). Their pull would vanish at a gap D_0, with D_0^2 = A + B D^2.
+struct SmallBridge {
+  double pull;      ///< at contact, R* c [m]
+  double constant;  ///< A [m^2]
+  double linear;    ///< [-]
+  double cosine;    ///< c, the mean of both ends [-]
+
+  double zero_gap(double gap) const;  ///< D_0 [m]
+  double pull_at(double gap) const;   ///< [m]
 };
 SmallBridge small_bridge(const std::array<BridgeEnd, 2>& ends, BridgeControl control, double amount);
 
