@@ -163,9 +163,9 @@ TEST(BridgeTable, OfGivenVolumeKeepsAllThis) {
 TEST(BridgeTable, InContactUnderGreatSuctionPullsWithTwoPiRGammaCosine) {
   for (const double ratio : {1.0, 3.0, plane})
     for (const double angle : {0.0, 50 * degrees}) {
-      const BridgeCurve curve = bridge_curve(suction_table(angle), {1.0, ratio}, 5e5);
+      const BridgeCurve curve = bridge_curve(suction_table(angle), {1.0, ratio}, 5e4);
       const double radius = reduced_radius(bridge_ends(1.0, ratio, 0.0));
-      EXPECT_NEAR(bridge_pull(curve, 0.0), radius * std::cos(angle), 0.003 * radius);
+      EXPECT_NEAR(bridge_pull(curve, 0.0), radius * std::cos(angle), 0.005 * radius);
     }
 }
 
@@ -204,8 +204,8 @@ TEST(BridgeTable, SaysWhatLiesOutside) {
   EXPECT_THAT(message([] {
                 bridge_curve(suction_table(0.0), {1, 1}, 0.5);
               }),
-              HasSubstr("p_c R*/gamma = 0.5 must lie in [1, 1e+06]"));
-  EXPECT_THAT(message([] { bridge_curve(volume_table(0.0), {1, 1}, 0.6); }), HasSubstr("V/R*^3 = 0.6 must lie in [1e-12, 0.19]"));
+              HasSubstr("p_c R*/gamma = 0.5 must lie in [1, 100000]"));
+  EXPECT_THAT(message([] { bridge_curve(volume_table(0.0), {1, 1}, 0.6); }), HasSubstr("V/R*^3 = 0.6 must lie in [1e-12, 0.16]"));
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ using std::numbers::pi;
 constexpr int ratios = 9;   // nodes of the ratio of radii
 constexpr int stencil = 4;  // amounts that an interpolation uses
 constexpr int values = 2 + 3 * bridge_terms;
-constexpr double least_suction_of_table = 1.0, most_suction = 1e6, least_volume_of_table = 1e-12;
-constexpr double most_volume = 0.19;            // larger ones engulf a sphere in contact with a plane
-constexpr double suction_of_most_volume = 0.2;  // of equal spheres in contact: where the liquid wets poorly
+constexpr double least_suction_of_table = 1.0, most_suction = 1e5, least_volume_of_table = 1e-12;
+constexpr double most_volume = 0.16;            // larger ones engulf a sphere that touches a plane
+constexpr double suction_of_most_volume = 0.2;  // of equal spheres that touch: where the liquid wets poorly, less 10 %
 
 using Terms = std::array<double, bridge_terms>;
 
@@ -64,31 +64,42 @@ double natural_work(const SmallBridge& small, double gap, double reach) {
   return 2.0 * pi * small.pull * span * (1.0 - (reach + gap) / (small.zero_gap(reach) + small.zero_gap(gap)));
 }
 
-/// Coefficients of the Chebyshev series through values at the Lobatto nodes.
-Terms chebyshev_terms(const Terms& value) {
+/// The polynomial in 2 zeta - 1 through values at the Lobatto nodes: by Chebyshev's series, then in powers, which two short
+/// chains of products evaluate.
+Terms powers(const Terms& value) {
   constexpr int last = bridge_terms - 1;
-  Terms terms{};
+  Terms result{}, before{}, chebyshev{};  // T_(k-1) and T_k in powers
   for (int k = 0; k <= last; ++k) {
+    Terms next{};
+    if (k == 0) next[0] = 1.0;
+    if (k == 1) next[1] = 1.0;
+    for (int power = 0; k > 1 && power < last; ++power) next[to_size(power + 1)] = 2.0 * chebyshev[to_size(power)];
+    for (int power = 0; k > 1 && power <= last; ++power) next[to_size(power)] -= before[to_size(power)];
+    before = std::exchange(chebyshev, next);
     double sum = 0.0;
     for (int j = 0; j <= last; ++j)
       sum += (j == 0 || j == last ? 0.5 : 1.0) * value[to_size(j)] * std::cos(pi * k * (last - j) / last);
-    terms[to_size(k)] = (k == 0 || k == last ? 1.0 : 2.0) / last * sum;
+    sum *= (k == 0 || k == last ? 1.0 : 2.0) / last;
+    for (int power = 0; power <= k; ++power) result[to_size(power)] += sum * chebyshev[to_size(power)];
   }
-  return terms;
+  return result;
 }
 
 double series(const Terms& terms, double zeta) {
-  const double twice = 2.0 * (2.0 * zeta - 1.0);
-  double b = 0.0, after = 0.0;
-  for (int k = bridge_terms - 1; k > 0; --k) after = std::exchange(b, terms[to_size(k)] + twice * b - after);
-  return terms[0] + 0.5 * twice * b - after;
+  static_assert(bridge_terms % 2 == 0);
+  const double z = 2.0 * zeta - 1.0, square = z * z;
+  double even = 0.0, odd = 0.0;
+  for (std::size_t k = bridge_terms; k > 0; k -= 2) {
+    odd = odd * square + terms[k - 1];
+    even = even * square + terms[k - 2];
+  }
+  return even + z * odd;
 }
 
 double series_slope(const Terms& terms, double zeta) {  // over zeta
-  const double twice = 2.0 * (2.0 * zeta - 1.0);
-  double b = 0.0, after = 0.0;  // sum of k a_k U_(k-1)
-  for (int k = bridge_terms - 1; k > 0; --k) after = std::exchange(b, k * terms[to_size(k)] + twice * b - after);
-  return 2.0 * b;
+  double slope = 0.0;
+  for (int k = bridge_terms - 1; k > 0; --k) slope = slope * (2.0 * zeta - 1.0) + k * terms[to_size(k)];
+  return 2.0 * slope;
 }
 
 struct AmountWeights {
@@ -149,8 +160,7 @@ void solve_node(const std::array<BridgeEnd, 2>& ends, BridgeControl control, dou
   }
   *out++ = reach / natural_reach(small, control, amount);
   *out++ = branch.rupture.sides[0].volume / branch.rupture.volume;
-  for (const Terms& terms : {chebyshev_terms(pull), chebyshev_terms(content), chebyshev_terms(work)})
-    out = std::ranges::copy(terms, out).out;
+  for (const Terms& terms : {powers(pull), powers(content), powers(work)}) out = std::ranges::copy(terms, out).out;
 }
 
 double zeta_of(const BridgeCurve& curve, double gap) {
@@ -167,9 +177,9 @@ BridgeTable make_bridge_table(BridgeControl control, double contact_angle) {
   BridgeTable table{control, contact_angle, least_suction_of_table, most_suction, 48, {}};
   if (control == BridgeControl::volume) {
     table.least = least_volume_of_table;
-    table.amounts = 30;
+    table.amounts = 25;
     const StableBranch poor = stable_branch(ends_of(0.0, contact_angle), BridgeControl::suction, suction_of_most_volume);
-    table.most = std::min(most_volume, bridge_on(poor, 0.0)->volume);
+    table.most = std::min(most_volume, 0.9 * bridge_on(poor, 0.0)->volume);
   }
   const double add = offset(control), span = std::log((table.most + add) / (table.least + add));
   table.node.resize(to_size(ratios * table.amounts * values));
@@ -201,7 +211,7 @@ BridgeCurve bridge_curve(const BridgeTable& table, const std::array<double, 2>& 
       for (int v = 0; v < values; ++v) mean[to_size(v)] += weight * node[v];
     }
 
-  BridgeCurve curve{table.control, 0.0, 0.0, small_bridge(ends, table.control, amount), {}, {}, {}};
+  BridgeCurve curve{0.0, small_bridge(ends, table.control, amount), {}, {}, {}, 0.0, table.control};
   curve.reach = mean[0] * natural_reach(curve.small, table.control, amount);
   curve.share = radius[0] <= radius[1] ? mean[1] : 1.0 - mean[1];
   const double* from = &mean[2];

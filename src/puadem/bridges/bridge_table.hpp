@@ -7,7 +7,7 @@
 
 namespace puadem {
 
-constexpr int bridge_terms = 12;  ///< Chebyshev polynomials in sqrt(1 - D / D_max)
+constexpr int bridge_terms = 10;  ///< of polynomials in sqrt(1 - D / D_max)
 
 /// Stable bridges of one contact angle between spheres of any two radii or a sphere and a plane, at given suction or of
 /// given volume: exact solutions at nodes, made once, as ratios to small bridges (theory 8.4).
@@ -27,11 +27,11 @@ BridgeTable make_bridge_table(BridgeControl control, double contact_angle);
 /// The bridges between two ends at one suction or of one volume, as functions of the gap alone: what a loop over bridges
 /// needs, and keeps until radii or amount change.
 struct BridgeCurve {
+  double reach;                                          ///< D_max, the rupture distance [m]
+  SmallBridge small;                                     ///< what the terms are ratios to
+  std::array<double, bridge_terms> pull, content, work;  ///< in powers of 2 sqrt(1 - D / D_max) - 1
+  double share;                                          ///< of the liquid on the first end's side of the neck at rupture [-]
   BridgeControl control;
-  double reach;       ///< D_max, the rupture distance [m]
-  double share;       ///< of the liquid on the first end's side of the neck at rupture [-]
-  SmallBridge small;  ///< what the terms are ratios to
-  std::array<double, bridge_terms> pull, content, work;
 };
 
 /// @param radius  of both ends [m], in any order; infinite: a plane

@@ -21,7 +21,7 @@ constexpr double least_volume = 1e-30;      // stands for no bridge at all
 constexpr double beyond_contact = -1.0;     // gap where no bridge exists for so great a pull
 constexpr double root_tolerance = 1e-13;    // of the suction of a given volume
 constexpr double pull_tolerance = 1e-12;    // of the pull at a given gap
-constexpr double maximum_tolerance = 1e-7;  // of the pull at rupture: its gap is exact to the square
+constexpr double maximum_tolerance = 1e-6;  // of the pull at rupture: mostly its gap is exact to the square
 
 double mean_cosine(const std::array<BridgeEnd, 2>& ends) {
   return 0.5 * (std::cos(ends[0].contact_angle) + std::cos(ends[1].contact_angle));
@@ -74,7 +74,7 @@ std::optional<BridgeShape> bridge_of_volume(const std::array<BridgeEnd, 2>& ends
   // Down to the first crossing: beyond it lie bridges between ends that overlap.
   while (high > lowest) {
     const double size = std::max(std::abs(high), 0.3);
-    const double low = std::max(high - std::clamp(1.5 * factor * above, 1e-3 * size, 0.3 * size), lowest), below = excess(low);
+    const double low = std::max(high - std::clamp(1.1 * factor * above, 1e-3 * size, 0.1 * size), lowest), below = excess(low);
     if (below <= 0.0) return between(low, below, high, above);
     if (below > above) return std::nullopt;
     high = low, above = below;
