@@ -27,13 +27,14 @@ bench:
 	@tools/install_dependencies --bench
 	@bench/run
 
-# docs/validation.md anew: the drainage study, networks, one fluid, two fluids that move. BALLS=FOLDER: where finney_packing_4021.csv lies.
+# docs/validation.md anew: the drainage study, networks, one fluid, two fluids that move, liquid bridges. BALLS=FOLDER: where finney_packing_4021.csv lies.
 validate: build
 	@tools/install_dependencies --docs
-	@cmake --build build/release --parallel $(jobs) --target verify_network --target verify_two_phase
+	@cmake --build build/release --parallel $(jobs) --target verify_network --target verify_two_phase --target verify_bridges
 	@tools/validate $(puadem)
 	@tools/verify_network build/release/tests/verify_network $(if $(BALLS),--balls $(BALLS))
 	@tools/verify_two_phase build/release/tests/verify_two_phase $(puadem)
+	@tools/verify_bridges build/release/tests/verify_bridges
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
