@@ -54,6 +54,13 @@ TEST(BridgeFormulas, SoulieIsNearForEqualWettingSpheres) {
     }
 }
 
+// (-0.148 ln v - 0.96) theta^2: at one volume the contact angle does not matter.
+TEST(BridgeFormulas, SoulieHasAVolumeAtWhichTheContactAngleDropsOut) {
+  const double volume = std::exp(-0.96 / 0.148);
+  EXPECT_NEAR(soulie_pull({1, 1}, 0.6, volume, 0.02), soulie_pull({1, 1}, 0.0, volume, 0.02), 1e-14);
+  EXPECT_GT(soulie_pull({1, 1}, 0.6, 0.1 * volume, 0.0), soulie_pull({1, 1}, 0.0, 0.1 * volume, 0.0));
+}
+
 TEST(BridgeFormulas, ScaleAndDoNotHangOnTheOrderOfTheSpheres) {
   const double s = 1e-4, volume = 2e-3, gap = 0.03, angle = 0.3;
   for (const auto& pull : {willett_pull, soulie_pull}) {

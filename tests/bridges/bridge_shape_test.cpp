@@ -125,8 +125,9 @@ TEST(BridgeShape, MeetsAnEndOnTwoCirclesThatJoinAtTheGreatestPull) {
   }
 }
 
-TEST(BridgeShape, IsNoneWhereTheCurveHasNoNeck) {
-  EXPECT_FALSE(bridge_shape(bridge_ends(1, 1, 0), -2.0, 0.3));  // 1 + 2 p f < 0
+TEST(BridgeShape, IsNoneWithoutANeckOrAMeniscus) {
+  EXPECT_FALSE(bridge_shape(bridge_ends(1, 1, 0), -2.0, 0.3));              // 1 + 2 p f < 0
+  EXPECT_FALSE(bridge_shape(bridge_ends(1, 1, 60 * degrees), -0.3, 0.49));  // both contact lines past the neck
 }
 
 }  // namespace

@@ -226,6 +226,10 @@ TEST(Bridges, SayWhatTheyCannotDo) {
               HasSubstr("surface tension 0 N/m must be positive"));
   EXPECT_THAT(message(0.07, 0.0, BridgeControl::suction, BridgeModel::Law::willett), HasSubstr("for given volumes"));
   EXPECT_THROW(one_bridge(at_suction(), 10.0), InputError);
+  BridgeModel fit = of_volume();
+  fit.law = BridgeModel::Law::willett;
+  EXPECT_THROW(one_bridge(fit, 1e-17), InputError);
+  EXPECT_NO_THROW(one_bridge(of_volume(), 1e-17));
 }
 
 }  // namespace

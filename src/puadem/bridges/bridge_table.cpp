@@ -198,7 +198,8 @@ BridgeCurve bridge_curve(const BridgeTable& table, const std::array<double, 2>& 
   const std::array<BridgeEnd, 2> ends{BridgeEnd{radius[0], table.contact_angle}, BridgeEnd{radius[1], table.contact_angle}};
   const double length = reduced_radius(ends), cube = length * length * length;
   const double scaled = table.control == BridgeControl::suction ? amount * length : amount / cube;
-  require(scaled >= table.least && scaled <= table.most, "liquid bridge: {} {:g} must lie in [{:g}, {:g}]",
+  require(scaled >= table.least && scaled <= table.most,
+          "liquid bridge between radii of {:g} and {:g} m: {} {:g} must lie in [{:g}, {:g}]", radius[0], radius[1],
           table.control == BridgeControl::suction ? "p_c R*/gamma =" : "V/R*^3 =", scaled, table.least, table.most);
 
   const auto [start, along] = amount_weights(table, scaled);

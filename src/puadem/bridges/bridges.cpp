@@ -18,8 +18,26 @@ using Law = BridgeModel::Law;
 
 bool is_at_suction(const BridgeModel& model) { return model.table.control == BridgeControl::suction; }
 
-double curve_amount(const BridgeModel& model, double amount) {
-  return is_at_suction(model) ? amount / model.surface_tension : amount;
+double cube_of_reduced(const std::array<double, 2>& radius) {
+  const double length = 2.0 / (1.0 / radius[0] + 1.0 / radius[1]);
+  return length * length * length;
+}
+
+constexpr double least_of_willett = 1e-5, most_of_willett = 0.1;  // V / R*^3; some way below, its force vanishes in contact
+
+double most_volume(const BridgeModel& model) {
+  return model.law == Law::willett ? std::min(most_of_willett, model.table.most) : model.table.most;
+}
+
+BridgeCurve curve_of(const BridgeModel& model, const std::array<double, 2>& radius, double amount) {
+  if (model.law == Law::willett) {
+    const double scaled = amount / cube_of_reduced(radius);
+    require(scaled >= least_of_willett && scaled <= most_of_willett,
+            "liquid bridge between radii of {:g} and {:g} m: V/R*^3 = {:g}, but the fit of Willett holds from {:g} to {:g}; "
+            "use the table",
+            radius[0], radius[1], scaled, least_of_willett, most_of_willett);
+  }
+  return bridge_curve(model.table, radius, is_at_suction(model) ? amount / model.surface_tension : amount);
 }
 
 double reach_of(const BridgeModel& model, const std::array<double, 2>& radius, double amount, const BridgeCurve& curve) {
@@ -87,7 +105,7 @@ int form_bridges(const BridgeModel& model, const BridgePairs& pairs, std::span<c
     if (amount[at] <= 0.0 || (formation == BridgeFormation::at_contact && pairs.gap[at] > 0.0) ||
         std::ranges::binary_search(bridges.pairs.ends, pairs.ends[at]))
       return;
-    curve[at] = bridge_curve(model.table, pairs.radius[at], curve_amount(model, amount[at]));
+    curve[at] = curve_of(model, pairs.radius[at], amount[at]);
     forms[at] = pairs.gap[at] <= reach_of(model, pairs.radius[at], amount[at], curve[at]);
   });
   const auto added = std::ranges::count(forms, 1);
@@ -109,8 +127,7 @@ int form_bridges(const BridgeModel& model, const BridgePairs& pairs, std::span<c
 void update_curves(const BridgeModel& model, Bridges& b) {
   parallel_for(b.size(), [&](int k) {
     const auto at = to_size(k);
-    const double amount = is_at_suction(model) ? b.capillary_pressure[at] : b.volume[at];
-    b.curve[at] = bridge_curve(model.table, b.pairs.radius[at], curve_amount(model, amount));
+    b.curve[at] = curve_of(model, b.pairs.radius[at], is_at_suction(model) ? b.capillary_pressure[at] : b.volume[at]);
   });
 }
 
@@ -172,8 +189,7 @@ void share_films(const BridgeModel& model, std::span<double> film, Bridges& b) {
   const std::vector<double> before(film.begin(), film.end());
   for (int k = 0; k < b.size(); ++k) {
     const auto at = to_size(k);
-    const auto& radius = b.pairs.radius[at];
-    const double length = 2.0 / (1.0 / radius[0] + 1.0 / radius[1]), most = model.table.most * length * length * length;
+    const double most = most_volume(model) * cube_of_reduced(b.pairs.radius[at]);
     for (const int end : b.pairs.ends[at]) {
       if (!has_film(end)) continue;
       const auto on = to_size(end);

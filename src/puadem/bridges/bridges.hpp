@@ -43,14 +43,16 @@ struct Bridges {
 /// Where new bridges form: where ends touch, as when they get wet, or wherever one can stand, as when they dry.
 enum class BridgeFormation { at_contact, at_any_distance };
 
-/// Adds bridges on pairs that have none: those whose ends touch, or all that are no farther apart than rupture.
+/// Adds bridges on pairs that have none: those whose ends touch, or all that are no farther apart than rupture. Their
+/// forces and contents are up to date.
 /// @param amount  per pair: the capillary pressure [Pa] or the volume [m^3] of a bridge there; 0: none
 /// @return how many were added
+/// @throws InputError  where an amount lies outside the table or the fit
 int form_bridges(const BridgeModel& model, const BridgePairs& pairs, std::span<const double> amount, BridgeFormation formation,
                  Bridges& bridges);
 
 /// Curves of all bridges; due when radii or prescribed amounts have changed.
-/// @throws InputError  where an amount lies outside the table
+/// @throws InputError  where an amount lies outside the table or the fit
 void update_curves(const BridgeModel& model, Bridges& bridges);
 
 /// Forces for the present gaps; none beyond the rupture distance.
@@ -75,7 +77,7 @@ struct RupturedBridge {
 std::vector<RupturedBridge> rupture_bridges(const BridgeModel& model, RuptureSplit split, Bridges& bridges);
 
 /// Gives liquid that lies on the ends to their bridges of given volume, to all bridges of an end alike, as far as the
-/// table reaches; the rest stays. Renews the curves.
+/// model reaches; the rest stays. Renews the curves.
 /// @param film  per end: volume on it [m^3]; ends outside the span hold none
 void share_films(const BridgeModel& model, std::span<double> film, Bridges& bridges);
 

@@ -161,7 +161,7 @@ std::optional<BridgeShape> bridge_on(const StableBranch& branch, double gap) {
   double low = branch.rupture.pull / length, below = excess(low);
   if (below <= 0.0) return branch.rupture;
   const SmallBridge small = small_bridge(unit.ends, unit.control, unit.amount);
-  double high = std::clamp(small.pull_at(target / length), 1.1 * low, limit), above = excess(high);
+  double high = std::min(std::max(small.pull_at(target / length), 1.1 * low), limit), above = excess(high);
   while (above >= 0.0 && high < limit) {
     low = high, below = above;
     high = std::min(1.2 * high, limit);
