@@ -141,6 +141,17 @@ TEST(StableBridge, LosesItsSymmetryBeforeItsTurningPointWherePoorlyWetting) {
   EXPECT_NEAR(unlike, branch.rupture.gap, 0.01 * branch.rupture.gap);
 }
 
+TEST(StableBridge, OfLittleLiquidSlidesBeyondThirtyOneDegrees) {
+  const auto slides = [](double angle, double volume) {
+    const StableBranch branch = stable_branch(bridge_ends(1, 1, angle * degrees), BridgeControl::volume, volume);
+    return std::abs(greatest_pull(branch.ends[0], branch.rupture.suction) / branch.rupture.pull - 1.0) < 1e-4;
+  };
+  EXPECT_FALSE(slides(30.5, 1e-6));
+  EXPECT_TRUE(slides(31.5, 1e-6));
+  EXPECT_FALSE(slides(26.0, 0.2));
+  EXPECT_TRUE(slides(28.0, 0.2));
+}
+
 TEST(StableBridge, InContactWithLittleLiquidPullsWithTwoPiRGammaCosine) {
   for (const double angle : {0.0, 20 * degrees, 60 * degrees})
     for (const double ratio : {1.0, 4.0, plane}) {
