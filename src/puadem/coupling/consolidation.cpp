@@ -1,5 +1,6 @@
 #include "puadem/coupling/consolidation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,7 +19,15 @@ constexpr double pi = std::numbers::pi;
 constexpr double negligible = 40.0;  // exponents beyond add less than 1e-17
 constexpr long check_interval = 50;  // steps
 constexpr long most_steps = 2'000'000;
-constexpr double rest = 1e-4;  // unbalanced force ratio, and of the load that has not come down to the other wall
+constexpr double ramp = 200.0;  // steps per grain of the height in which the load is put on
+constexpr double rest = 1e-4;   // unbalanced force ratio, and of the load that has not come down to the other wall
+
+/// The height in mean diameters of the grains.
+double height_in_grains(const GrainSystem& grains, double height) {
+  double sum = 0.0;
+  for (int k = 0; k < grains.owned; ++k) sum += radius_of(grains.record[to_size(k)]);
+  return height * grains.owned / (2.0 * sum);
+}
 
 }  // namespace
 
@@ -53,14 +62,14 @@ ConsolidationReference measure_consolidation(GrainSystem grains, const PoreNetwo
   r.permeability = measure_permeability(network, grains.domain).tensor[to_size(axis)][axis];
   const double height = grains.domain.size()[axis];
   evaluate_forces(grains);
-  double target = 0.0, area = 0.0;
-  for (const Wall& wall : grains.walls)
-    if (wall.face == loaded) {
-      target = *wall.target;
-      area = wall.area;
-      r.load = target + dot(wall.force, wall.normal) / area;
-    }
+  const auto wall = std::ranges::find_if(grains.walls, [&](const Wall& w) { return w.face == loaded; });
+  const double target = *wall->target;
+  r.load = target + dot(wall->force, wall->normal) / wall->area;
+  // A load put on at once runs through dry grains as a wave, is doubled at the other wall, and compacts them for good.
+  const double loading_steps = ramp * height_in_grains(grains, height);
   for (long step = 0;; step += check_interval) {
+    const double missing = std::max(1.0 - static_cast<double>(step) / loading_steps, 0.0);
+    wall->target = target - missing * r.load;
     ensure(step < most_steps, "step {}: the dry grains do not come to rest under {:.4g} Pa within {} steps", grains.steps, target,
            step);
     evaluate_forces(grains);
@@ -69,7 +78,7 @@ ConsolidationReference measure_consolidation(GrainSystem grains, const PoreNetwo
     const double away = std::max(std::abs(m.wall_stress[to_size(loaded)] / target - 1.0),
                                  std::abs(m.wall_stress[to_size(opposite(loaded))] / m.wall_stress[to_size(loaded)] - 1.0));
     const bool has_weight = squared_norm(grains.motion.gravity) > 0.0;
-    if (step > 0 && m.unbalanced < rest && (has_weight || away < 10.0 * rest)) break;
+    if (missing == 0.0 && m.unbalanced < rest && (has_weight || away < 10.0 * rest)) break;
     advance_grains(grains, check_interval);
   }
   r.settlement = height - grains.domain.size()[axis];

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "puadem/geometry/cell.hpp"
 #include "puadem/geometry/cell_match.hpp"
+#include "puadem/geometry/cell_voids.hpp"
 
 namespace puadem {
 
@@ -28,23 +28,20 @@ std::vector<Vec3> followed_centres(const NetworkPlace& place, const Particles& p
 
 MovedVoids moved_voids(const PoreNetwork& network, const NetworkPlace& place, std::span<const Vec3> centre,
                        std::span<const double> radius, const Domain& domain) {
-  const PackingSites sites_of(centre, radius, domain);
-  const std::vector<std::int8_t> now = cell_orientations(network.triangulation, sites_of);
-  const auto is_inverted = [&](int c) { return now[to_size(c)] * place.orientation[to_size(c)] < 0; };
+  CellVoids now = cell_voids(network.triangulation, PackingSites(centre, radius, domain));
   MovedVoids voids;
+  for (int c = network.triangulation.cells() - 1; c >= 0; --c) {
+    if (now.orientation[to_size(c)] * place.orientation[to_size(c)] >= 0) continue;
+    now.space[to_size(c)] = -now.space[to_size(c)];
+    voids.inverted = c;
+  }
+  voids.cell = std::move(now.space);
   voids.pore.resize(to_size(network.pores()));
-  voids.cell.resize(now.size());
   parallel_for(network.pores(), [&](int p) {
     double space = 0.0;
-    for (const int c : network.pore_tetrahedra[p]) {
-      const double cell = cell_void_volume(sites_of(network.triangulation.vertices[to_size(c)]));
-      voids.cell[to_size(c)] = is_inverted(c) ? -cell : cell;
-      space += voids.cell[to_size(c)];
-    }
+    for (const int c : network.pore_tetrahedra[p]) space += voids.cell[to_size(c)];
     voids.pore[to_size(p)] = space;
   });
-  for (int c = 0; c < network.triangulation.cells() && voids.inverted < 0; ++c)
-    if (is_inverted(c)) voids.inverted = c;
   return voids;
 }
 

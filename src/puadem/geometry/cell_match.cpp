@@ -131,15 +131,17 @@ std::vector<double> carry_over(const CellMatch& match, std::span<const double> a
   return result;
 }
 
+std::int8_t cell_orientation(const std::array<Site, 4>& sites) {
+  const std::size_t k = first_grain(sites);
+  const double volume = triple(edge_from(sites[k], sites[(k + 1) % 4]), edge_from(sites[k], sites[(k + 2) % 4]),
+                               edge_from(sites[k], sites[(k + 3) % 4]));
+  return static_cast<std::int8_t>((volume > 0.0) - (volume < 0.0));
+}
+
 std::vector<std::int8_t> cell_orientations(const Triangulation& triangulation, const PackingSites& sites_of) {
   std::vector<std::int8_t> sign(to_size(triangulation.cells()));
-  parallel_for(triangulation.cells(), [&](int c) {
-    const auto sites = sites_of(triangulation.vertices[to_size(c)]);
-    const std::size_t k = first_grain(sites);
-    const double volume = triple(edge_from(sites[k], sites[(k + 1) % 4]), edge_from(sites[k], sites[(k + 2) % 4]),
-                                 edge_from(sites[k], sites[(k + 3) % 4]));
-    sign[to_size(c)] = static_cast<std::int8_t>((volume > 0.0) - (volume < 0.0));
-  });
+  parallel_for(triangulation.cells(),
+               [&](int c) { sign[to_size(c)] = cell_orientation(sites_of(triangulation.vertices[to_size(c)])); });
   return sign;
 }
 

@@ -37,6 +37,7 @@ std::vector<double> carry_over(const CellMatch& match, std::span<const double> a
 
 /// Which way round each cell is, +1 or -1; 0 where it is flat. A cell whose sign has changed since it was made has turned
 /// inside out: the cells no longer tile the box.
+std::int8_t cell_orientation(const std::array<Site, 4>& sites);
 std::vector<std::int8_t> cell_orientations(const Triangulation& triangulation, const PackingSites& sites);
 
 }  // namespace puadem
