@@ -227,6 +227,21 @@ double bridge_pull(const BridgeCurve& curve, double gap) {
   return curve.small.pull_at(std::max(gap, 0.0)) * series(curve.pull, zeta_of(curve, gap));
 }
 
+void bridge_forces(double surface_tension, std::span<const BridgeCurve> curve, std::span<const double> gap,
+                   std::span<double> force) {
+  const double factor = 2.0 * pi * surface_tension;
+  parallel_for(size_of(curve), [&](int k) {
+    const BridgeCurve& c = curve[to_size(k)];
+    const double d = std::max(gap[to_size(k)], 0.0);
+    if (d > c.reach) {
+      force[to_size(k)] = 0.0;
+      return;
+    }
+    const double zero = c.small.linear == 0.0 ? std::sqrt(c.small.constant) : std::sqrt(c.small.constant + d * d);
+    force[to_size(k)] = factor * c.small.pull * (1.0 - d / zero) * series(c.pull, std::sqrt((c.reach - d) / c.reach));
+  });
+}
+
 double bridge_pull_slope(const BridgeCurve& curve, double gap) {
   const double d = std::max(gap, 0.0), zeta = zeta_of(curve, gap), zero = curve.small.zero_gap(d);
   const double small_slope = -curve.small.pull * curve.small.constant / (zero * zero * zero);

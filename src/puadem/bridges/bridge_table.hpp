@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "puadem/bridges/stable_bridge.hpp"
@@ -41,6 +42,11 @@ BridgeCurve bridge_curve(const BridgeTable& table, const std::array<double, 2>& 
 
 /// F / (2 pi gamma) [m] at a gap [m]. Here and below a negative gap is contact, and none may exceed the reach.
 double bridge_pull(const BridgeCurve& curve, double gap);
+
+/// Forces of many bridges at once [N], on all threads; 0 beyond the reach.
+/// @param surface_tension  gamma [N/m] @param gap  [m]
+void bridge_forces(double surface_tension, std::span<const BridgeCurve> curve, std::span<const double> gap,
+                   std::span<double> force);
 
 /// Change of F / (2 pi gamma) with the gap, < 0; grows without bound towards rupture [-].
 double bridge_pull_slope(const BridgeCurve& curve, double gap);

@@ -132,6 +132,7 @@ void update_curves(const BridgeModel& model, Bridges& b) {
 }
 
 void update_forces(const BridgeModel& model, Bridges& b) {
+  if (model.law == Law::table) return bridge_forces(model.surface_tension, b.curve, b.pairs.gap, b.force);
   parallel_for(b.size(), [&](int k) {
     const auto at = to_size(k);
     const double gap = b.pairs.gap[at];
