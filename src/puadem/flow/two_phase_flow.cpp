@@ -158,11 +158,13 @@ struct Stepper {
       }
       ++report.retries;
       step *= trial.converged ? std::clamp(front_change / change.front, 0.1, 0.6) : 0.25;
-      ensure(
-          step > shortest_step * model.time_scale,
+      if (step > shortest_step * model.time_scale) continue;
+      const std::string unmet = unmet_rates(network, model, at_end, state);
+      ensure(unmet.empty(), "two-phase flow cannot go on at t = {:.6g} s (step {}): {}", state.time, state.steps, unmet);
+      throw NumericalError(fmt::format(
           "two-phase flow stands still at t = {:.6g} s (step {}): no step above {:.3g} s succeeds; pore {} misses its local law "
           "by {:.2g} of its saturation",
-          state.time, state.steps, step, trial.worst_pore, trial.mismatch);
+          state.time, state.steps, step, trial.worst_pore, trial.mismatch));
     }
   }
 

@@ -45,10 +45,33 @@ double crossing(const PoreNetwork& network, const TwoPhaseModel& model, const Tw
   return at_start >= threshold ? 0.0 : (threshold - at_start) / (at_end - at_start);
 }
 
+/// Gas that enters a pore lifts its wetting fluid to the pressure of its body, and with it that of the pores around, which are
+/// then perhaps not due any more. Leaves those out that are not, by the lift of their neighbours alone: they would refill
+/// within the step, and if they are due after all, they are found when it is solved anew.
+void keep_lasting(const TwoPhaseModel& model, std::span<const double> conductance, std::vector<PoreInvasion>& due) {
+  std::vector<double> lift(model.links.start.size() - 1);
+  std::vector<std::uint8_t> entered(lift.size());
+  std::erase_if(due, [&](const PoreInvasion& invasion) {
+    const std::size_t into = to_size(invasion.into);
+    if (entered[into]) return false;
+    double sum = 0.0, lifted = 0.0;
+    for (const auto [neighbour, t] : model.links[invasion.into]) {
+      sum += conductance[to_size(t)];
+      lifted += conductance[to_size(t)] * lift[to_size(neighbour)];
+    }
+    const double body = model.thresholds.body_pressure[into];
+    const double threshold = std::max(model.thresholds.entry_pressure[to_size(invasion.throat)], body);
+    if (lifted > 0.0 && invasion.pressure - lifted / sum <= threshold) return true;
+    entered[into] = 1;
+    lift[into] = invasion.pressure - body;
+    return false;
+  });
+}
+
 }  // namespace
 
 std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
-                                         const TwoPhaseTrial& trial) {
+                                         std::span<const double> conductance, const TwoPhaseTrial& trial) {
   std::vector<PoreInvasion> due;
   const auto& holds = trial.nonwetting_clusters.holds;
   double first = 1.0;
@@ -65,6 +88,7 @@ std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPh
   }
   std::erase_if(due, [&](const PoreInvasion& invasion) { return invasion.crossing > first + together; });
   std::ranges::stable_sort(due, {}, &PoreInvasion::crossing);
+  keep_lasting(model, conductance, due);
   return due;
 }
 

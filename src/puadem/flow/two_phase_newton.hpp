@@ -29,6 +29,7 @@ struct Newton {
   std::vector<double> law_pressure;  ///< of a mixed pore; of a full or emptied one the difference it has
   std::vector<double> capacitance;   ///< [m3/Pa]
   std::vector<double> predicted;     ///< wetting volume after a solve [m3]
+  bool is_rough = false;             ///< gas still looks for pores to enter
   double gas_misfit = 0.0;           ///< largest error of a pore's gas volume by its law made linear, over the pore's [-]
 
   double height(int i) const {  // turns a difference of potentials into one of pressures

@@ -17,6 +17,8 @@ using Filling = PoreFilling;
 constexpr double least_left = 0.2;
 /// By how much of its volume a full pore may be too full, an emptied one too empty: the next step takes it back.
 constexpr double overfill = 1e-9;
+/// The same while gas still looks for pores to enter.
+constexpr double rough_overfill = 1e-4;
 /// Largest error of the volume of ideal gas, over its pore's.
 constexpr double gas_accuracy = 1e-12;
 /// Slope of the local law over p_thr above which an iteration goes along the pressure, below along the volume.
@@ -25,7 +27,11 @@ constexpr double steep = 2.0;
 constexpr double rough = 1e-2;
 /// Tolerances of the linear solver in rough and in exact iterations. They are of all pressures together, in the norm of the
 /// power they dissipate: corner films, which conduct less by many orders, need the more.
-constexpr double rough_linear = 1e-7, exact_linear = 1e-14;
+constexpr double rough_linear = 1e-5, exact_linear = 1e-14;
+
+/// By how much more a step may move, over the most it may in the end, before gas has entered pores: what these give, the rest
+/// need not. (Without it most attempts were taken back that would have ended well within the limit.)
+constexpr double not_yet_entered = 2.0;
 
 constexpr double not_yet = 1.0, never = std::numeric_limits<double>::infinity();
 
@@ -43,7 +49,8 @@ double keep_closed(Newton& n, int i) {
   Filling& filling = n.trial.filling[p];
   const double now = n.difference(i);
   const bool leaves = filling == Filling::full ? now > n.law(i, 1.0) : now < n.law(i, 0.0);
-  const bool misses = std::abs(n.predicted[p] - n.trial.wetting_volume[p]) > overfill * n.volume[p];
+  const double miss = std::abs(n.predicted[p] - n.trial.wetting_volume[p]) / n.volume[p];
+  const bool misses = miss > (n.is_rough ? rough_overfill : overfill);
   if (leaves) filling = Filling::mixed;
   n.law_pressure[p] = now;
   return leaves || misses ? not_yet : 0.0;
@@ -103,11 +110,12 @@ double move_all(Newton& n) {
 /// Solves the equations for the pores that hold gas so far.
 bool iterate(Newton& n, double tolerance) {
   bool converged = false;
+  n.is_rough = tolerance > n.model.options.steps.tolerance;
   for (int k = 0; k < n.model.options.steps.newton_limit && !converged; ++k) {
     for (int i = 0; i < n.network.pores(); ++i)
       if (n.has_capacitor(i)) set_capacitor(n, i);
     try {
-      solve_newton(n, tolerance > n.model.options.steps.tolerance ? rough_linear : exact_linear);
+      solve_newton(n, n.is_rough ? rough_linear : exact_linear);
     } catch (const NumericalError&) {
       break;  // a rate that the fluid within reach cannot meet has no solution: the step fails
     }
@@ -214,8 +222,8 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
     trial.converged = iterate(n, exact ? tolerance : std::max(tolerance, rough));
     if (exact) trial.converged = go_by_flows(n) && trial.converged;
     trial.change = change_of(n);
-    if (!trial.converged || trial.change.front > most_change) return trial;
-    const std::vector<PoreInvasion> invasions = next_invasions(network, model, state, trial);
+    if (!trial.converged || trial.change.front > (exact ? 1.0 : not_yet_entered) * most_change) return trial;
+    const std::vector<PoreInvasion> invasions = next_invasions(network, model, state, n.throat.wetting, trial);
     for (const PoreInvasion& invasion : invasions) invade(n, invasion);
     const bool was_exact = exact;
     exact = invasions.empty();

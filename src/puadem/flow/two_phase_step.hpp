@@ -69,8 +69,9 @@ void note_cut_off_gas(const PoreNetwork& network, const TwoPhaseModel& model, st
 
 /// Pores that gas enters next in a step whose end is known so far: of all that are due, those whose threshold was passed
 /// first, together with whatever was passed at nearly the same time (theory 6.4).
+/// @param conductance  of the wetting fluid, per throat [m3/(Pa s)]
 std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
-                                         const TwoPhaseTrial& trial);
+                                         std::span<const double> conductance, const TwoPhaseTrial& trial);
 
 /// Pores fill in the order in which their pressures fell below the lowest they can have with gas (theory 6.4).
 struct FillingsWithinStep {
@@ -87,5 +88,9 @@ FillingsWithinStep fillings_within_step(const PoreNetwork& network, const TwoPha
 /// do not yield, unless their rates sum to nothing. @return which and why; empty where all can
 std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& model, std::span<const double> volume_rate,
                              const TwoPhaseState& state);
+
+/// Boundaries with a flow rate when no step succeeds: what each asks for, and what limits it. Empty where there is none.
+std::string unmet_rates(const PoreNetwork& network, const TwoPhaseModel& model, const BoundaryValues& values,
+                        const TwoPhaseState& state);
 
 }  // namespace puadem

@@ -69,4 +69,46 @@ std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& mo
       stuck.size() > named ? fmt::format(" and {} more", stuck.size() - named) : "", sum[part(stuck.front())], stuck.front());
 }
 
+std::string unmet_rates(const PoreNetwork& network, const TwoPhaseModel& model, const BoundaryValues& values,
+                        const TwoPhaseState& state) {
+  const int n = network.pores();
+  DisjointSets parts = passing_parts(network, model, state);
+  std::vector<std::uint8_t> yields(to_size(2 * n));
+  for (const FlowBoundary& boundary : model.boundaries)
+    if (boundary.kind == FlowBoundary::Kind::pressure)
+      yields[to_size(parts.find((boundary.fluid == FluidPhase::wetting ? 0 : n) + boundary.pores.front()))] = 1;
+  std::string text;
+  for (int b = 0; b < size_of(model.boundaries); ++b) {
+    const FlowBoundary& boundary = model.boundaries[to_size(b)];
+    if (boundary.kind == FlowBoundary::Kind::pressure || values[to_size(b)] == 0.0) continue;
+    const bool wets = boundary.fluid == FluidPhase::wetting;
+    const int part = parts.find((wets ? 0 : n) + boundary.pores.front());
+    int pores = 0, both = 0;
+    double void_volume = 0.0, water = 0.0;
+    for (int i = 0; i < n; ++i) {
+      if (!model.is_counted(i) || parts.find((wets ? 0 : n) + i) != part) continue;
+      ++pores;
+      if (!state.wetting.holds[to_size(i)] || !state.nonwetting.holds[to_size(i)]) continue;
+      ++both;
+      void_volume += network.pore_volume[to_size(i)];
+      water += state.wetting_volume[to_size(i)];
+    }
+    text += fmt::format("{}boundary \"{}\" cannot pass {:.4g} m3/s of the {} fluid, which has the pressure {:.4g} Pa there: ",
+                        text.empty() ? "" : "; ", boundary.name, values[to_size(b)], wets ? "wetting" : "non-wetting",
+                        state.boundary_pressure[to_size(b)]);
+    if (pores == 0)
+      text += "none of it is within reach";
+    else if (!yields[to_size(part)])
+      text += fmt::format("the {} pores within reach are cut off from all boundaries with a pressure", pores);
+    else if (both == 0)
+      text += fmt::format("the {} pores within reach hold one fluid alone, and the other comes too slowly", pores);
+    else
+      text += fmt::format(
+          "of the {} pores within reach {} hold both fluids, with a mean saturation of {:.3g}; the fluid there runs out, or its "
+          "ways conduct too little",
+          pores, both, water / void_volume);
+  }
+  return text;
+}
+
 }  // namespace puadem
