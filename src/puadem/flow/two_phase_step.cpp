@@ -27,7 +27,7 @@ constexpr double steep = 2.0;
 constexpr double rough = 1e-2;
 /// Tolerances of the linear solver in rough and in exact iterations. They are of all pressures together, in the norm of the
 /// power they dissipate: corner films, which conduct less by many orders, need the more.
-constexpr double rough_linear = 1e-5, exact_linear = 1e-14;
+constexpr double rough_linear = 1e-7, exact_linear = 1e-14;
 
 /// By how much more a step may move, over the most it may in the end, before gas has entered pores: what these give, the rest
 /// need not. (Without it most attempts were taken back that would have ended well within the limit.)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "puadem/base/error.hpp"
 #include "two_phase_bed.hpp"
@@ -65,6 +66,30 @@ constexpr std::array<Kind, 3> kinds{{{TwoPhaseScheme::implicit, GasKind::connect
                                      {TwoPhaseScheme::implicit, GasKind::incompressible},
                                      {TwoPhaseScheme::impes, GasKind::connected}}};
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + size_of(values) / 2;
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Drainage through equilibria, nothing trapped: by the rules of the flow (see write_slow_limit), then without the water that the
+/// local law leaves in entered units, then by the throats alone.
+void write_equilibria(const Bed& bed, int seed, double merge_ratio, Csv& curves) {
+  for (const auto& [name, corner_water, body_entry] :
+       {std::tuple("at rest", true, true), std::tuple("dry", false, true), std::tuple("throats", false, false)}) {
+    InvasionOptions rules;
+    rules.corner_films = true;
+    rules.trap_wetting = false;
+    rules.corner_water = corner_water;
+    rules.body_entry = body_entry;
+    InvasionState still = start_invasion(bed.network, bed.fluids, rules);
+    for (double p = 3.0; p <= 12.0; p += 0.5) {
+      advance_to(bed.network, bed.pressure(p), still);
+      curves.row(seed, merge_ratio, name, p, totals(bed.network, still).saturation);
+    }
+  }
+}
+
 }  // namespace
 
 void write_schemes(const std::filesystem::path& folder) {
@@ -102,7 +127,7 @@ void write_schemes(const std::filesystem::path& folder) {
 
 void write_merging(const std::filesystem::path& folder) {
   LedgerFile ledger(folder, "merging");
-  Csv csv(folder / "merging.csv", "seed,merge_ratio,pores,throats,steps,solves,seconds");
+  Csv csv(folder / "merging.csv", "seed,merge_ratio,pores,throats,steps,solves,seconds,body_pressure,entry_pressure");
   Csv curves(folder / "merging_curves.csv", "seed,merge_ratio,run,x,saturation");
   for (int seed = 1; seed <= 2; ++seed)
     for (const double ratio : {std::numeric_limits<double>::infinity(), 0.9, 0.8}) {
@@ -114,16 +139,12 @@ void write_merging(const std::filesystem::path& folder) {
       watch.until = 0.15;
       watch.keeps_curve = true;
       const Outcome outcome = drain(bed, model, 1e9, watch);
-      csv.row(seed, ratio, bed.network.pores(), bed.network.throats(), watch.steps, outcome.report.solves, outcome.seconds);
+      csv.row(seed, ratio, bed.network.pores(), bed.network.throats(), watch.steps, outcome.report.solves, outcome.seconds,
+              median(model.thresholds.body_pressure) / bed.pressure(1.0),
+              median(model.thresholds.entry_pressure) / bed.pressure(1.0));
       ledger.row(fmt::format("packing {}, merge ratio {}", seed, ratio), watch);
       for (const auto& [time, s] : watch.curve) curves.row(seed, ratio, "at once", time, s);
-      InvasionOptions rules;  // the equilibria: those of the flow, see write_slow_limit
-      rules.corner_films = true;
-      InvasionState still = start_invasion(bed.network, bed.fluids, rules);
-      for (double p = 3.0; p <= 12.0; p += 0.5) {
-        advance_to(bed.network, bed.pressure(p), still);
-        curves.row(seed, ratio, "at rest", p, totals(bed.network, still).saturation);
-      }
+      write_equilibria(bed, seed, ratio, curves);
     }
 }
 
