@@ -34,6 +34,7 @@ validate: build
 	@tools/validate $(puadem)
 	@tools/verify_network build/release/tests/verify_network $(if $(BALLS),--balls $(BALLS))
 	@tools/verify_two_phase build/release/tests/verify_two_phase $(puadem)
+	@tools/verify_coupling build/release/tests/verify_coupling $(puadem)
 	@tools/verify_bridges build/release/tests/verify_bridges
 
 format:

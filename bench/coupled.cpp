@@ -72,14 +72,18 @@ void measure_cost(int count) {
   for (SaturatedCache* each : {&cache, &fluid_alone})
     renew_cache(options, state.network, state.particles.radius, state.saturated->place, *each);
   const PoreNetwork network = state.network;
-  const std::vector<double> rate(to_size(network.pores()), 1e-12);
+  const long substeps = static_cast<long>(state.saturated_flows.back().coupling_interval / grains.time_step);
+  std::vector<double> rate = state.saturated->pore_volume;
+  options.remesh_displacement = std::numeric_limits<double>::infinity();
+  saturated_step(options, substeps, *state.grains, state.particles, state.network, *state.saturated, cache);
+  options.remesh_displacement = stage.remesh_displacement * 0.5e-3;
+  const double interval = static_cast<double>(substeps) * grains.time_step;
+  for (std::size_t p = 0; p < rate.size(); ++p) rate[p] = (state.saturated->pore_volume[p] - rate[p]) / interval;
   SinglePhaseProblem problem;
   problem.faces = options.faces;
   problem.viscosity = options.viscosity;
   problem.volume_rate = rate;
   solve_single_phase(network, state.domain, problem, fluid_alone.memory);
-  const long substeps = static_cast<long>(state.saturated_flows.back().coupling_interval / grains.time_step);
-  saturated_step(options, substeps, *state.grains, state.particles, state.network, *state.saturated, cache);
 
   constexpr int rounds = 40, steps = 10;
   const long remeshes = state.saturated->remeshes;

@@ -75,10 +75,10 @@ ConsolidationReference measure_consolidation(GrainSystem grains, const PoreNetwo
     evaluate_forces(grains);
     renew_time_step(grains, grains.time_step);
     const GrainMeasures m = measure(grains);
-    const double away = std::max(std::abs(m.wall_stress[to_size(loaded)] / target - 1.0),
-                                 std::abs(m.wall_stress[to_size(opposite(loaded))] / m.wall_stress[to_size(loaded)] - 1.0));
+    const double away = std::max(std::abs(m.wall_stress[to_size(loaded)] - target),
+                                 std::abs(m.wall_stress[to_size(opposite(loaded))] - m.wall_stress[to_size(loaded)]));
     const bool has_weight = squared_norm(grains.motion.gravity) > 0.0;
-    if (missing == 0.0 && m.unbalanced < rest && (has_weight || away < 10.0 * rest)) break;
+    if (missing == 0.0 && m.unbalanced < rest && (has_weight || away < 10.0 * rest * r.load)) break;
     advance_grains(grains, check_interval);
   }
   r.settlement = height - grains.domain.size()[axis];

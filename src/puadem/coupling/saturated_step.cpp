@@ -177,7 +177,7 @@ void saturated_step(const SaturatedOptions& options, long substeps, GrainSystem&
                     PoreNetwork& network, SaturatedState& state, SaturatedCache& cache) {
   advance_grains(grains, substeps);
   guard_walls(grains);
-  collect(grains, particles);
+  collect_places(grains, particles);
   const double dt = static_cast<double>(substeps) * grains.time_step;
 
   const std::vector<Vec3> centre = followed_centres(state.place, particles, grains.domain);

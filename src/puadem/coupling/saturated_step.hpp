@@ -60,7 +60,7 @@ void renew_cache(const SaturatedOptions& options, const PoreNetwork& network, st
 
 /// One coupled step: grains first, `substeps` of their own under the forces of the fluid that were found last; then the
 /// fluid over the same time, driven by the exact change of every pore; a new network where the grains ask for one; new
-/// forces. `particles` and `network` are kept in step.
+/// forces. `network` and the places of `particles` are kept in step.
 /// @throws NumericalError  from grains, network and flow
 void saturated_step(const SaturatedOptions& options, long substeps, GrainSystem& grains, Particles& particles,
                     PoreNetwork& network, SaturatedState& state, SaturatedCache& cache);

@@ -48,17 +48,22 @@ GrainSystem make_grain_system(const Particles& particles, const Domain& domain, 
   return s;
 }
 
-void collect(const GrainSystem& s, Particles& particles) {
+void collect_places(const GrainSystem& s, Particles& particles) {
   const Vec3 size = s.domain.size();
+  for (int k = 0; k < s.owned; ++k) {
+    Vec3& x = particles.position[to_size(s.identity[to_size(k)])];
+    x = vec3(s.record[to_size(k)].place);
+    for (int axis = 0; axis < 3; ++axis)
+      if (s.domain.periodic[static_cast<unsigned>(axis)])
+        x[axis] -= size[axis] * std::floor((x[axis] - s.domain.lower[axis]) / size[axis]);
+  }
+}
+
+void collect(const GrainSystem& s, Particles& particles) {
+  collect_places(s, particles);
   for (int k = 0; k < s.owned; ++k) {
     const std::size_t i = to_size(s.identity[to_size(k)]);
     const GrainRecord& r = s.record[to_size(k)];
-    particles.position[i] = vec3(r.place);
-    for (int axis = 0; axis < 3; ++axis)
-      if (s.domain.periodic[static_cast<unsigned>(axis)]) {
-        double& x = particles.position[i][axis];
-        x -= size[axis] * std::floor((x - s.domain.lower[axis]) / size[axis]);
-      }
     particles.velocity[i] = vec3(r.drift);
     particles.angular_velocity[i] = vec3(r.spin);
     if (s.row_start.empty()) continue;

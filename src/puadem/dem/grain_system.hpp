@@ -130,6 +130,9 @@ GrainSystem make_grain_system(const Particles& particles, const Domain& domain, 
 /// Writes places, velocities, resultant forces and torques back in order of identity.
 void collect(const GrainSystem& system, Particles& particles);
 
+/// The places alone, within the box.
+void collect_places(const GrainSystem& system, Particles& particles);
+
 /// Have contacts a viscous part?
 inline bool has_dashpots(const GrainSystem& s) {
   const auto is_viscous = [](const PairConstants<double>& pair) { return pair.damping > 0.0; };

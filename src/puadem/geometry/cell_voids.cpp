@@ -54,33 +54,55 @@ PUADEM_TWICE void angles(const double* y, const double* x, double* angle, int co
   }
 }
 
-/// Cells of one chunk: six times their volume, and what stands beside it in the arc tangent of each corner (theory 3.3).
-struct Corners {
-  double volume[cells_per_chunk];
-  double beside[4][cells_per_chunk];
-  double cubes[4][cells_per_chunk];  ///< of the radii
-  double angle[cells_per_chunk];
+using Row = double[cells_per_chunk];
+
+/// Cells of one chunk, one number of each beside the other.
+struct Chunk {
+  Row place[4][3];  ///< of the vertices [m]
+  Row cube[4];      ///< of their radii; 0 where a wall is among them [m3]
+  Row volume;       ///< six times the oriented volume [m3]
+  Row across;       ///< its size
+  Row along[4];     ///< what stands under it in the arc tangent of each corner (theory 3.3) [m3]
+  Row angle;
 };
 
-/// A cell of four grains; returns its oriented volume times six.
-double set_corners(const std::array<Site, 4>& sites, Corners& at, int c) {
-  double squared[4][4], length[4][4];
-  for (unsigned i = 0; i < 4; ++i)
-    for (unsigned j = i + 1; j < 4; ++j) {
-      squared[i][j] = squared[j][i] = squared_norm(sites[j].centre - sites[i].centre);
-      length[i][j] = length[j][i] = std::sqrt(squared[i][j]);
-    }
-  const double volume =
-      triple(sites[1].centre - sites[0].centre, sites[2].centre - sites[0].centre, sites[3].centre - sites[0].centre);
-  at.volume[c] = std::abs(volume);
+void put(Chunk& at, int c, const std::array<Site, 4>& sites) {
   for (unsigned k = 0; k < 4; ++k) {
-    const unsigned i = (k + 1) % 4, j = (k + 2) % 4, l = (k + 3) % 4;
-    const auto inner = [&](unsigned a, unsigned b) { return 0.5 * (squared[k][a] + squared[k][b] - squared[a][b]); };
-    at.beside[k][c] = length[k][i] * length[k][j] * length[k][l] + inner(i, j) * length[k][l] + inner(i, l) * length[k][j] +
-                      inner(j, l) * length[k][i];
-    at.cubes[k][c] = sites[k].radius * sites[k].radius * sites[k].radius;
+    for (unsigned axis = 0; axis < 3; ++axis) at.place[k][axis][c] = sites[k].centre[static_cast<int>(axis)];
+    at.cube[k][c] = sites[k].radius * sites[k].radius * sites[k].radius;
   }
-  return volume;
+}
+
+/// Stands for a cell with walls, which is done on its own.
+void put_nothing(Chunk& at, int c) {
+  put(at, c,
+      {Site::grain({0, 0, 0}, 0.0), Site::grain({1, 0, 0}, 0.0), Site::grain({0, 1, 0}, 0.0), Site::grain({0, 0, 1}, 0.0)});
+}
+
+PUADEM_TWICE void set_corners(Chunk& at, int count) {
+  for (int c = 0; c < count; ++c) {
+    double edge[6][3], squared[6], length[6];  // 01 02 03 12 13 23
+    constexpr unsigned from[6] = {0, 0, 0, 1, 1, 2}, to[6] = {1, 2, 3, 2, 3, 3};
+    for (unsigned e = 0; e < 6; ++e) {
+      for (unsigned axis = 0; axis < 3; ++axis) edge[e][axis] = at.place[to[e]][axis][c] - at.place[from[e]][axis][c];
+      squared[e] = edge[e][0] * edge[e][0] + edge[e][1] * edge[e][1] + edge[e][2] * edge[e][2];
+      length[e] = std::sqrt(squared[e]);
+    }
+    const double volume = edge[0][0] * (edge[1][1] * edge[2][2] - edge[1][2] * edge[2][1]) +
+                          edge[0][1] * (edge[1][2] * edge[2][0] - edge[1][0] * edge[2][2]) +
+                          edge[0][2] * (edge[1][0] * edge[2][1] - edge[1][1] * edge[2][0]);
+    at.volume[c] = volume;
+    at.across[c] = std::abs(volume);
+    // Of each corner the edges that meet in it, and behind each of them the one between the other two.
+    constexpr unsigned near[4][3] = {{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}};
+    constexpr unsigned far[4][3] = {{5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3, 1, 0}};
+    for (unsigned k = 0; k < 4; ++k) {
+      const unsigned i = near[k][0], j = near[k][1], l = near[k][2];
+      at.along[k][c] = length[i] * length[j] * length[l] + 0.5 * (squared[j] + squared[l] - squared[far[k][0]]) * length[i] +
+                       0.5 * (squared[i] + squared[l] - squared[far[k][1]]) * length[j] +
+                       0.5 * (squared[i] + squared[j] - squared[far[k][2]]) * length[l];
+    }
+  }
 }
 
 }  // namespace
@@ -95,28 +117,31 @@ CellVoids cell_voids(const Triangulation& triangulation, const PackingSites& sit
   voids.space.resize(to_size(cells));
   voids.orientation.resize(to_size(cells));
   parallel_for(chunks, [&](int chunk) {
-    Corners at;
+    Chunk at;
     const int begin = chunk * cells_per_chunk, count = std::min(cells - begin, cells_per_chunk);
-    bool has_wall[cells_per_chunk];
+    const auto has_wall = [&](int c) {
+      return std::ranges::any_of(triangulation.vertices[to_size(begin + c)], [](const Vertex& v) { return v.is_wall(); });
+    };
     for (int c = 0; c < count; ++c) {
       const auto cell = to_size(begin + c);
-      const auto& vertices = triangulation.vertices[cell];
-      const auto sites = sites_of(vertices);
-      has_wall[c] = std::ranges::any_of(vertices, [](const Vertex& v) { return v.is_wall(); });
-      if (has_wall[c]) {
-        at.volume[c] = 0.0;
-        for (unsigned k = 0; k < 4; ++k) at.beside[k][c] = 1.0, at.cubes[k][c] = 0.0;
-        voids.space[cell] = cell_void_volume(sites);
-        voids.orientation[cell] = cell_orientation(sites);
+      const auto sites = sites_of(triangulation.vertices[cell]);
+      if (!has_wall(c)) {
+        put(at, c, sites);
         continue;
       }
-      const double volume = set_corners(sites, at, c);
-      voids.space[cell] = at.volume[c] / 6.0;
-      voids.orientation[cell] = static_cast<std::int8_t>((volume > 0.0) - (volume < 0.0));
+      put_nothing(at, c);
+      voids.space[cell] = cell_void_volume(sites);
+      voids.orientation[cell] = cell_orientation(sites);
+    }
+    set_corners(at, count);
+    for (int c = 0; c < count; ++c) {
+      if (has_wall(c)) continue;
+      voids.space[to_size(begin + c)] = at.across[c] / 6.0;
+      voids.orientation[to_size(begin + c)] = static_cast<std::int8_t>((at.volume[c] > 0.0) - (at.volume[c] < 0.0));
     }
     for (unsigned k = 0; k < 4; ++k) {
-      angles(at.volume, at.beside[k], at.angle, count);
-      for (int c = 0; c < count; ++c) voids.space[to_size(begin + c)] -= at.cubes[k][c] * (2.0 / 3.0) * at.angle[c];
+      angles(at.across, at.along[k], at.angle, count);
+      for (int c = 0; c < count; ++c) voids.space[to_size(begin + c)] -= at.cube[k][c] * (2.0 / 3.0) * at.angle[c];
     }
   });
   return voids;
