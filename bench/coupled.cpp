@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 #include "puadem/coupling/run.hpp"
 #include "puadem/dem/motion.hpp"
