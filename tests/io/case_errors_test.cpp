@@ -81,7 +81,7 @@ TEST(CaseErrors, OfSingleValues) {
       {"[fluids]", "[fluid]", "unknown key fluid; did you mean \"fluids\"?"},
       {"\"compact\"", "\"compct\"",
        "stage.0.kind = \"compct\" is not known; allowed: compact, isotropic, oedometer, triaxial, shear, settle, strain, "
-       "permeability, retention, two-phase-flow, saturated-flow; did you mean \"compact\"?"},
+       "permeability, retention, two-phase-flow, saturated-flow, unsaturated-flow; did you mean \"compact\"?"},
       {"kind = \"compact\"", "", "case.toml:10:1: missing key stage.0.kind"},
       {"stress = \"10 kPa\"", "",
        "missing key stage.0.stress: target mean stress, compression positive; write stress = \"10 kPa\""},

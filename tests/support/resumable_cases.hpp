@@ -85,6 +85,19 @@ inline Case two_phase_case(GasKind gas, TwoPhaseScheme scheme, bool holds) {
   return c;
 }
 
+/// Two fluids and grains that move each other, there and back.
+inline Case unsaturated_case() {
+  Case c = grains_of(150, {1, 1, 1.5});
+  c.domain.periodic = {true, true, false};
+  UnsaturatedStage stage;
+  stage.path = {0.0, 3000.0, 0.0};
+  stage.step = 1000.0;
+  stage.loaded[5] = true;
+  stage.stress = 10e3;
+  c.stages.emplace_back(stage);
+  return c;
+}
+
 inline Case implicit_case() { return two_phase_case(GasKind::incompressible, TwoPhaseScheme::implicit, false); }
 inline Case ideal_gas_case() { return two_phase_case(GasKind::ideal, TwoPhaseScheme::implicit, true); }
 inline Case impes_case() { return two_phase_case(GasKind::connected, TwoPhaseScheme::impes, true); }
@@ -109,8 +122,9 @@ inline Case saturated_case() {
 }
 
 inline std::vector<ResumableCase> resumable_cases() {
-  return {{"Loading", loading_case, 10},    {"Retention", retention_case, 3}, {"Implicit", implicit_case, 20},
-          {"IdealGas", ideal_gas_case, 20}, {"Impes", impes_case, 20},        {"Saturated", saturated_case, 5}};
+  return {{"Loading", loading_case, 10},       {"Retention", retention_case, 3}, {"Implicit", implicit_case, 20},
+          {"IdealGas", ideal_gas_case, 20},    {"Impes", impes_case, 20},        {"Saturated", saturated_case, 5},
+          {"Unsaturated", unsaturated_case, 3}};
 }
 
 struct Outcome {
@@ -162,6 +176,22 @@ inline void expect_same_run(const Outcome& a, const Outcome& b) {
     EXPECT_EQ(a.state.saturated->pressure, b.state.saturated->pressure);
     EXPECT_EQ(a.state.saturated->pore_volume, b.state.saturated->pore_volume);
     EXPECT_EQ(a.state.saturated->remeshes, b.state.saturated->remeshes);
+  }
+  ASSERT_EQ(a.state.unsaturated_flows.size(), b.state.unsaturated_flows.size());
+  for (std::size_t k = 0; k < a.state.unsaturated_flows.size(); ++k) {
+    const auto &one = a.state.unsaturated_flows[k].rows, &other = b.state.unsaturated_flows[k].rows;
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t r = 0; r < one.size(); ++r) {
+      EXPECT_EQ(one[r].saturation, other[r].saturation);
+      EXPECT_EQ(one[r].strain, other[r].strain);
+      EXPECT_EQ(one[r].contact_stress, other[r].contact_stress);
+      EXPECT_EQ(one[r].wetting_error, other[r].wetting_error);
+    }
+  }
+  ASSERT_EQ(a.state.unsaturated.has_value(), b.state.unsaturated.has_value());
+  if (a.state.unsaturated) {
+    EXPECT_EQ(a.state.unsaturated->flow.wetting_volume, b.state.unsaturated->flow.wetting_volume);
+    EXPECT_EQ(a.state.unsaturated->forces.grain, b.state.unsaturated->forces.grain);
   }
   ASSERT_EQ(a.state.flow.has_value(), b.state.flow.has_value());
   if (a.state.flow) {

@@ -19,11 +19,20 @@ std::vector<double> effective_pressures(const PoreNetwork& network, const TwoPha
     } else if (!model.is_counted(p)) {
       pressure[i] = state.nonwetting_pressure[i];
     } else {
-      const double pc = capillary_pressure(network, model, p, state);
-      pressure[i] = state.nonwetting_pressure[i] - wetted_fraction(model.thresholds.unit[i].threshold / pc) * pc;
+      // Not by the local law: where air only waits at its face, the pore is full and its capillary pressure below that law.
+      const double pc = state.nonwetting_pressure[i] - state.wetting_pressure[i], touching = model.thresholds.unit[i].threshold;
+      pressure[i] =
+          pc > touching ? state.nonwetting_pressure[i] - wetted_fraction(touching / pc) * pc : state.wetting_pressure[i];
     }
   }
   return pressure;
+}
+
+std::vector<Vec3> tension_forces(const PoreNetwork& network, const PushedAreas& areas, std::span<const double> pressure,
+                                 int grains) {
+  PushedAreas menisci;
+  menisci.throat = areas.throat_void;
+  return pressure_forces(network, menisci, pressure, {}, grains).grain;
 }
 
 Tensor fluid_stress(const FluidForces& forces, std::span<const Vec3> centre, const Domain& domain) {

@@ -17,6 +17,11 @@ double wetted_fraction(double threshold_over_pressure);
 /// p_n - f_w p_c with the wetted share of the walls (theory 7.7) [Pa].
 std::vector<double> effective_pressures(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state);
 
+/// The part of the fluids' forces on grains that menisci make which hang in throats: what acts on the void of the throats [N].
+/// @param pressure  see `effective_pressures`
+std::vector<Vec3> tension_forces(const PoreNetwork& network, const PushedAreas& areas, std::span<const double> pressure,
+                                 int grains);
+
 /// What forces on grains and walls carry of the stress of the box: (1/V) sum F x, compression positive [Pa] (theory 7.8).
 /// Where the box is periodic, forces must act on grains where they are listed; walls at their face.
 Tensor fluid_stress(const FluidForces& forces, std::span<const Vec3> centre, const Domain& domain);

@@ -14,6 +14,7 @@
 
 #include "puadem/coupling/saturated_stage.hpp"
 #include "puadem/coupling/two_phase_stage.hpp"
+#include "puadem/coupling/unsaturated_stage.hpp"
 #include "puadem/dem/contact_law.hpp"
 #include "puadem/dem/material.hpp"
 #include "puadem/dem/packing.hpp"
@@ -132,7 +133,7 @@ struct PermeabilityStage {
 };
 
 using Stage = std::variant<CompactStage, IsotropicStage, OedometerStage, TriaxialStage, ShearStage, SettleStage, StrainStage,
-                           PermeabilityStage, RetentionStage, TwoPhaseStage, SaturatedStage>;
+                           PermeabilityStage, RetentionStage, TwoPhaseStage, SaturatedStage, UnsaturatedStage>;
 
 /// Does this stage put fluid into the pores of grains that stand? It then needs a network, made or from a file.
 template <class S>
@@ -141,7 +142,7 @@ inline constexpr bool is_flowing =
 
 /// Do grains and fluid move each other in this stage? It needs grains, and makes its network from them.
 template <class S>
-inline constexpr bool is_coupled = std::is_same_v<S, SaturatedStage>;
+inline constexpr bool is_coupled = std::is_same_v<S, SaturatedStage> || std::is_same_v<S, UnsaturatedStage>;
 
 /// Does this stage load the grains that another one, or a file, has made?
 template <class S>

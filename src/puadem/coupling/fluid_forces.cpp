@@ -44,6 +44,7 @@ PushedAreas pushed_areas(const PoreNetwork& network, const PackingSites& sites_o
                          const std::array<bool, 6>& no_slip) {
   PushedAreas areas;
   areas.throat.resize(to_size(network.throats()));
+  areas.throat_void.resize(to_size(network.throats()));
   std::vector<Vec3> centre(to_size(network.triangulation.cells()));
   if (share == ThroatShare::surface)
     parallel_for(network.triangulation.cells(), [&](int c) {
@@ -66,7 +67,8 @@ PushedAreas pushed_areas(const PoreNetwork& network, const PackingSites& sites_o
     }
     for (unsigned k = 0; k < 3; ++k) {
       const double sector = sites[k].is_wall ? 0.0 : 0.5 * sites[k].radius * sites[k].radius * section.side[k].extent;
-      areas.throat[to_size(t)][k] = sector + solid[k] / whole * section.void_area;
+      areas.throat_void[to_size(t)][k] = solid[k] / whole * section.void_area;
+      areas.throat[to_size(t)][k] = sector + areas.throat_void[to_size(t)][k];
     }
   });
   areas.wall = wall_patches(network, sites_of);

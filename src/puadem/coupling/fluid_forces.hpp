@@ -23,6 +23,8 @@ enum class ThroatShare : std::uint8_t {
 struct PushedAreas {
   /// Per throat and vertex: area of its sector in the facet and its share of the void, which add to the whole facet [m2].
   std::vector<std::array<double, 3>> throat;
+  /// Of that the share of the void: with `ThroatShare::contact_line` what menisci make of a jump of pressure [m2].
+  std::vector<std::array<double, 3>> throat_void;
   struct Patch {
     int pore, face;
     double area;  ///< of a pore on a wall of the box [m2]

@@ -19,6 +19,7 @@ void forget_pores(State& state) {
   state.invasion.reset();
   state.flow.reset();
   state.saturated.reset();
+  state.unsaturated.reset();
   state.saturation.clear();
 }
 
@@ -44,6 +45,8 @@ void run_stage_with_grains(const Case& c, State& state, const Observer& observer
     run_compact_stage(c, *compact, state, observer, results);
   else if (std::holds_alternative<SaturatedStage>(c.stages[to_size(index)]))
     run_saturated_stage(c, index, state, observer, results);
+  else if (std::holds_alternative<UnsaturatedStage>(c.stages[to_size(index)]))
+    run_unsaturated_stage(c, index, state, observer, results);
   else
     run_loading_stage(c, index, state, observer, results);
   state.position.is_packing_shown = !is_followed_by_network(c, index);

@@ -58,7 +58,8 @@ struct Observer {
   std::function<void(const State&, const TwoPhaseEvent&)> flow_event;
   std::function<void(const State&, const SaturatedRow&)> saturated;  ///< a row of a stage "saturated-flow"
   std::function<void(const State&, const SaturatedRecord&)>
-      saturated_fields;  ///< a state worth its fields; its profile is the last
+      saturated_fields;                                                  ///< a state worth its fields; its profile is the last
+  std::function<void(const State&, const UnsaturatedRow&)> unsaturated;  ///< a row of a stage "unsaturated-flow", all at rest
 };
 
 /// The stages of a case from `state.position` on: all of them, or what is left of a run whose state and results at a

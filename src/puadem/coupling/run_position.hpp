@@ -69,12 +69,25 @@ struct SaturatedProgress {
   int rows = 0, profiles = 0;  ///< due no more
 };
 
+/// How far a stage "unsaturated-flow" has come.
+struct UnsaturatedProgress {
+  double began = 0.0;                                   ///< [s]
+  double mean_radius = 0.0;                             ///< of the grains [m]
+  double solid_volume = 0.0;                            ///< [m3]
+  double first_force = 0.0;                             ///< mean of the contacts in the first row [N]
+  Vec3 start_size;                                      ///< of the box, from which strains are counted [m]
+  int stop = 0;                                         ///< of the path of pressures
+  int round = 0;                                        ///< at that stop
+  double saturation_before = 2.0, strain_before = 0.0;  ///< a round ago
+};
+
 /// Where a run stands in its stages: with the rest of the state, all that it needs to go on.
 struct RunPosition {
   int stage = 0;                  ///< that is under way or comes next
   bool is_packing_shown = false;  ///< the observer knows how the grains lie
   // None: the stage has not begun.
-  std::variant<std::monostate, LoadingProgress, RetentionProgress, TwoPhaseProgress, SaturatedProgress> progress;
+  std::variant<std::monostate, LoadingProgress, RetentionProgress, TwoPhaseProgress, SaturatedProgress, UnsaturatedProgress>
+      progress;
 };
 
 }  // namespace puadem

@@ -34,6 +34,12 @@ void run_two_phase_stage(const Case& c, int index, State& state, const Observer&
 /// @throws NumericalError  from grains, network and flow
 void run_saturated_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
 
+/// Two fluids in the pores; they and the grains move each other and rest at every capillary pressure of a path (theory 7.6).
+/// `index` of the stage in the case.
+/// @throws InputError      as `run_loading_stage`, `checked_network` and `make_two_phase_model`
+/// @throws NumericalError  from grains, network and flow, or where they do not come to rest
+void run_unsaturated_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results);
+
 /// Facts of the packing as it lies, into the results: numbers, radii, porosities.
 void describe_packing(const State& state, RunResults& results);
 

@@ -9,6 +9,8 @@
 #include "puadem/coupling/run_position.hpp"
 #include "puadem/coupling/saturated_stage.hpp"
 #include "puadem/coupling/saturated_step.hpp"
+#include "puadem/coupling/unsaturated_stage.hpp"
+#include "puadem/coupling/unsaturated_step.hpp"
 #include "puadem/dem/grain_system.hpp"
 #include "puadem/dem/particles.hpp"
 #include "puadem/flow/invasion.hpp"
@@ -35,8 +37,10 @@ struct State {
   std::vector<FlowRecord> flows;                 ///< of these stages
   std::optional<SaturatedState> saturated;       ///< one fluid and grains that move, once such a stage has begun
   std::vector<SaturatedRecord> saturated_flows;  ///< of these stages
-  std::vector<double> saturation;                ///< per pore, wetting fluid [-]
-  std::vector<RetentionRow> retention;           ///< equilibria so far
+  std::optional<UnsaturatedState> unsaturated;   ///< two fluids and grains that move, once such a stage has begun
+  std::vector<UnsaturatedRecord> unsaturated_flows;  ///< of these stages
+  std::vector<double> saturation;                    ///< per pore, wetting fluid [-]
+  std::vector<RetentionRow> retention;               ///< equilibria so far
 };
 
 /// Has the present stage begun?

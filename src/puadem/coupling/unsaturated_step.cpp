@@ -20,33 +20,38 @@ constexpr long check_interval = 50;      // steps of the grains between two look
 constexpr double slow = 1e3;             // time over which pores change, over the drainage time of the median pore
 constexpr double largest_strain = 0.05;  // of the void, at which a new network is made
 
-TwoPhaseModel model_of(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
-                       const Domain& domain, double capillary_pressure) {
+TwoPhaseModel model_of(const UnsaturatedOptions& options, const PoreNetwork& network, const PackingSites& sites,
+                       double capillary_pressure) {
   FlowBoundary air;
   air.name = face_names[to_size(options.air)];
   air.fluid = FluidPhase::nonwetting;
   air.pores = face_pores(network, options.air);
   air.schedule = Schedule::constant(0.0);
   air.initial_gas_fraction = options.initial_air_fraction;
-  FlowBoundary water;
-  water.name = face_names[to_size(options.water)];
-  water.pores = face_pores(network, options.water);
-  water.schedule = Schedule::constant(-capillary_pressure);
-  return make_two_phase_model(
-      network, options.fluids, options.flow, {std::move(air), std::move(water)},
-      throat_films(network, PackingSites(particles.position, particles.radius, domain), options.fluids.contact_angle));
+  std::vector<FlowBoundary> boundaries{std::move(air)};
+  for (int face = 0; face < 6; ++face) {
+    if (!options.water[to_size(face)]) continue;
+    FlowBoundary& water = boundaries.emplace_back();
+    water.name = face_names[to_size(face)];
+    water.pores = face_pores(network, face);
+    water.schedule = Schedule::constant(-capillary_pressure);
+  }
+  return make_two_phase_model(network, options.fluids, options.flow, std::move(boundaries),
+                              throat_films(network, sites, options.fluids.contact_angle));
 }
 
-void renew_areas(const UnsaturatedOptions& options, const PoreNetwork& network, std::span<const Vec3> centre,
-                 const Particles& particles, const Domain& domain, UnsaturatedCache& cache) {
-  cache.areas =
-      pushed_areas(network, PackingSites(centre, particles.radius, domain), ThroatShare::contact_line, options.network.no_slip);
+void renew_cache(const UnsaturatedOptions& options, const PoreNetwork& network, std::span<const Vec3> centre,
+                 const Particles& particles, const Domain& domain, double capillary_pressure, UnsaturatedCache& cache) {
+  const PackingSites sites(centre, particles.radius, domain);
+  cache.model = model_of(options, network, sites, capillary_pressure);
+  cache.areas = pushed_areas(network, sites, ThroatShare::contact_line, options.network.no_slip);
 }
 
 void set_forces(const PoreNetwork& network, const Particles& particles, GrainSystem& grains, UnsaturatedState& state,
                 const UnsaturatedCache& cache) {
   const std::vector<double> pressure = effective_pressures(network, *cache.model, state.flow);
   state.forces = pressure_forces(network, cache.areas, pressure, {}, particles.size());
+  state.tension = tension_forces(network, cache.areas, pressure, particles.size());
   grains.external_force = state.forces.grain;
   for (Wall& wall : grains.walls) wall.fluid_force = wall.face >= 0 ? state.forces.wall[to_size(wall.face)] : Vec3{};
 }
@@ -74,17 +79,22 @@ double sum_of(std::span<const double> values) {
 
 }  // namespace
 
+void renew_cache(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, const Domain& domain,
+                 const UnsaturatedState& state, UnsaturatedCache& cache) {
+  renew_cache(options, network, followed_centres(state.place, particles, domain), particles, domain, state.capillary_pressure,
+              cache);
+}
+
 UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
                                    GrainSystem& grains, UnsaturatedCache& cache) {
   UnsaturatedState state;
   state.place = place_of(network, particles, grains.domain);
-  cache.model = model_of(options, network, particles, grains.domain, 0.0);
+  renew_cache(options, network, particles, grains.domain, state, cache);
   state.flow = start_two_phase(network, *cache.model);
   const Held held = held_by(network, state, *cache.model);
   state.void_listed = sum_of(network.pore_volume);
   state.water_start = held.water;
   state.gas_start = held.gas;
-  renew_areas(options, network, particles.position, particles, grains.domain, cache);
   set_forces(network, particles, grains, state, cache);
   return state;
 }
@@ -112,6 +122,7 @@ bool rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particl
     guard_walls(grains);
     state.grain_steps += check_interval;
     state.settling_steps += check_interval;
+    state.grain_time += static_cast<double>(check_interval) * grains.time_step;
   }
 }
 
@@ -142,18 +153,16 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
     const std::vector<int> kinds = fluid_kinds(state.flow);
     network.pore_volume = voids.pore;
     RebuiltNetwork rebuilt = remesh(network, kinds, centre, particles, domain, options.network, state.place);
-    TwoPhaseModel model = model_of(options, rebuilt.network, particles, domain, state.capillary_pressure);
-    state.flow = carry_fluids(network, voids.cell, *cache.model, rebuilt, model, state.flow, &state.pores_changed);
+    const TwoPhaseModel former = *cache.model;
+    renew_cache(options, rebuilt.network, particles.position, particles, domain, state.capillary_pressure, cache);
+    state.flow = carry_fluids(network, voids.cell, former, rebuilt, *cache.model, state.flow, &state.pores_changed);
     state.cells_renewed += static_cast<long>(rebuilt.match.appeared.index.size());
     ++state.remeshes;
     state.void_listed = sum_of(rebuilt.network.pore_volume);
     network = std::move(rebuilt.network);
-    cache.model = std::move(model);
-    renew_areas(options, network, particles.position, particles, domain, cache);
   } else {
     update_network_geometry(network, centre, particles.radius, domain, options.network);
-    cache.model = model_of(options, network, particles, domain, state.capillary_pressure);
-    renew_areas(options, network, centre, particles, domain, cache);
+    renew_cache(options, network, centre, particles, domain, state.capillary_pressure, cache);
   }
 }
 

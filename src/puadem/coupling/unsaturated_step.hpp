@@ -17,12 +17,13 @@ struct UnsaturatedOptions {
   Fluids fluids;
   TwoPhaseOptions flow;
   NetworkOptions network;
-  int air = 5, water = 4;              ///< faces of the reservoirs
-  double initial_air_fraction = 1e-6;  ///< of the pores at the air's face
-  double remesh_displacement = 0.0;    ///< of a grain, at which a new network is made [m]
-  double unbalanced = 1e-3;            ///< force ratio at which grains are at rest [-]
-  double stress_tolerance = 1e-3;      ///< of a wall that holds a stress [-]
-  long most_steps = 500'000;           ///< of the grains at one capillary pressure
+  int air = 5;                                                         ///< face of its reservoir
+  std::array<bool, 6> water{false, false, false, false, true, false};  ///< faces of the water's
+  double initial_air_fraction = 1e-6;                                  ///< of the pores at the air's face
+  double remesh_displacement = 0.0;                                    ///< of a grain, at which a new network is made [m]
+  double unbalanced = 1e-3;                                            ///< force ratio at which grains are at rest [-]
+  double stress_tolerance = 1e-3;                                      ///< of a wall that holds a stress [-]
+  long most_steps = 500'000;                                           ///< of the grains at one capillary pressure
 };
 
 /// Everything a restart needs besides network, grains and their frozen forces.
@@ -30,11 +31,13 @@ struct UnsaturatedState {
   NetworkPlace place;
   TwoPhaseState flow;
   FluidForces forces;                         ///< that act until the next round
+  std::vector<Vec3> tension;                  ///< what menisci in throats make of those on grains [N]
   double capillary_pressure = 0.0;            ///< of the reservoirs [Pa]
   double void_listed = 0.0;                   ///< when the network was made [m3]
   double water_start = 0.0, gas_start = 0.0;  ///< of the counted pores [m3]
   long remeshes = 0, cells_renewed = 0, pores_changed = 0;
   long grain_steps = 0, fluid_steps = 0;
+  double grain_time = 0.0;  ///< that the grains took [s]
   long settling_steps = 0;  ///< of the grains at the present capillary pressure
 };
 
@@ -43,6 +46,10 @@ struct UnsaturatedCache {
   PushedAreas areas;
   std::optional<TwoPhaseModel> model;
 };
+
+/// The cache of a state that is gone on from.
+void renew_cache(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, const Domain& domain,
+                 const UnsaturatedState& state, UnsaturatedCache& cache);
 
 /// Water everywhere but for a trace of air at its face, at no capillary pressure; its forces on grains and walls.
 UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,

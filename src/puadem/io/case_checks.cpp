@@ -241,6 +241,10 @@ void check_stage(const SaturatedStage& stage, const StageContext& at, Problems& 
   check_saturated_stage(stage, at.tree, at.index, at.c, problems);
 }
 
+void check_stage(const UnsaturatedStage& stage, const StageContext& at, Problems& problems) {
+  check_unsaturated_stage(stage, at.tree, at.index, at.c, problems);
+}
+
 /// Stages that load grains and walls: what they need of the box, and what cannot be both.
 void check_stage(const IsotropicStage&, const StageContext&, Problems&) {}
 

@@ -8,4 +8,7 @@ namespace puadem {
 /// What cannot be together in a stage "saturated-flow". @param tree  of the stage
 void check_saturated_stage(const SaturatedStage& stage, const TomlValue& tree, int index, const Case& c, Problems& problems);
 
+/// The same of a stage "unsaturated-flow".
+void check_unsaturated_stage(const UnsaturatedStage& stage, const TomlValue& tree, int index, const Case& c, Problems& problems);
+
 }  // namespace puadem

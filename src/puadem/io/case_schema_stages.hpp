@@ -32,6 +32,8 @@ template <>
 const Section<StrainStage>& stage_section();
 template <>
 const Section<SaturatedStage>& stage_section();
+template <>
+const Section<UnsaturatedStage>& stage_section();
 
 /// Keys of cooperative filling, the same in all stages of two fluids.
 KeyInfo cooperative_filling_key();

@@ -159,6 +159,17 @@ void describe(const SaturatedStage& stage, Walk& w) {
   if (stage.stress) w.scale.stress[axis_of(*stage.loaded)] = *stage.stress;
 }
 
+void describe(const UnsaturatedStage& stage, Walk& w) {
+  const auto stops = stage.path.empty() ? std::vector<RetentionStop>{} : retention_stops({stage.path, stage.step, 1.0});
+  std::string text = points_text(stage.path);
+  if (stage.stress) text += fmt::format(", {} on the loaded walls", show(*stage.stress, "Pa"));
+  add_stage(w.summary, w.number, fmt::format("{} {}, {} equilibria", UnsaturatedStage::kind, text, stops.size()));
+  w.equilibria += size_of(stops);
+  if (!stage.stress) return;
+  for (int face = 0; face < 6; ++face)
+    if (stage.loaded[to_size(face)]) w.scale.stress[axis_of(face)] = *stage.stress;
+}
+
 std::string held_text(const IsotropicStage& s) { return fmt::format("to {} on all axes, until at rest", show(s.stress, "Pa")); }
 std::string held_text(const OedometerStage& s) {
   return s.strain ? fmt::format("to an axial strain of {}", *s.strain) : "to an axial stress of " + points_text(s.path);

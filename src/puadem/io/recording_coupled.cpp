@@ -1,8 +1,33 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "puadem/io/recording_parts.hpp"
 #include "puadem/io/series_coupled.hpp"
 #include "puadem/io/vtk_fields.hpp"
 
 namespace puadem {
+
+namespace {
+
+/// A state at rest: every such one, as the equilibria of a retention stage.
+void record_unsaturated(ResultsFolder& folder, const Case& c, const State& state, const UnsaturatedRow& row) {
+  AppendFile& rows = series(folder, folder.unsaturated, "unsaturated.csv", unsaturated_header);
+  rows.append(unsaturated_line(row));
+  rows.flush();
+  folder.has_result = true;
+  record_message(folder, fmt::format("{}: {}: p_c = {:.6g} Pa, S = {:.6f}, strain {:.4g}, {} rounds", row.stage, row.branch,
+                                     row.capillary_pressure, row.saturation, row.strain, row.rounds));
+  const int equilibrium = folder.equilibria++;
+  if (!c.output.fields || equilibrium % std::max(c.output.fields_every, 1) != 0) return;
+  const double time = equilibrium;
+  write_frame(folder, folder.grain_frames, "grains", time, grain_fields(state));
+  write_frame(folder, folder.contact_frames, "contacts", time, contact_fields(state));
+  write_frame(folder, folder.pore_frames, "pores", time, pore_fields(state));
+  write_frame(folder, folder.throat_frames, "throats", time, throat_fields(state, c.fluids));
+}
+
+}  // namespace
 
 void record_coupled(ResultsFolder& folder, const Case& c, Observer& observer) {
   observer.saturated = [&folder](const State&, const SaturatedRow& row) {
@@ -19,6 +44,9 @@ void record_coupled(ResultsFolder& folder, const Case& c, Observer& observer) {
     const std::vector<double> at_rest(to_size(state.network.throats()), 0.0);
     const DrivenFlow flow{state.network, state.saturated->pressure, at_rest};
     write_frame(folder, folder.flow_pore_frames, "flow_pores", state.time, flow_pore_fields(flow));
+  };
+  observer.unsaturated = [&folder, &c](const State& state, const UnsaturatedRow& row) {
+    record_unsaturated(folder, c, state, row);
   };
 }
 

@@ -21,7 +21,7 @@ void write_frame(const ResultsFolder& folder, std::vector<VtkFrame>& frames, con
 /// Adds what a stage "two-phase-flow" tells. Folder and case must outlive the observer.
 void record_two_phase(ResultsFolder& folder, const Case& c, Observer& observer);
 
-/// Adds what a stage "saturated-flow" tells. Folder and case must outlive the observer.
+/// Adds what stages "saturated-flow" and "unsaturated-flow" tell. Folder and case must outlive the observer.
 void record_coupled(ResultsFolder& folder, const Case& c, Observer& observer);
 
 /// series/haines_jump.csv and series/boxes.csv of every such stage; from the second on their names end in the stage's.

@@ -8,6 +8,7 @@
 #include "puadem/io/report_coupled.hpp"
 #include "puadem/io/report_data.hpp"
 #include "puadem/io/report_two_phase.hpp"
+#include "puadem/io/report_unsaturated.hpp"
 #include "puadem/io/state_hash.hpp"
 
 namespace puadem {
@@ -77,6 +78,7 @@ json report_json(const ResultsFolder& folder, const Case& c, const State& state,
           {"permeability", permeability_json(state)},
           {"flows", flows_json(folder, state)},
           {"saturated", saturated_json(state)},
+          {"unsaturated", unsaturated_json(state)},
           {"facts", facts_json(state)},
           {"scalars", scalars_json(results)},
           {"case", case_json(c)},

@@ -8,6 +8,7 @@
 #include "puadem/io/report_coupled.hpp"
 #include "puadem/io/report_data.hpp"
 #include "puadem/io/report_two_phase.hpp"
+#include "puadem/io/report_unsaturated.hpp"
 
 namespace puadem {
 namespace {
@@ -90,7 +91,7 @@ json fluid_rows(const Case& c) {
     return std::ranges::any_of(c.stages, [&](const Stage& s) { return kind_of(s) == kind; });
   };
   json rows = json::array();
-  if (has(RetentionStage::kind) || has(TwoPhaseStage::kind)) {
+  if (has(RetentionStage::kind) || has(TwoPhaseStage::kind) || has(UnsaturatedStage::kind)) {
     rows.push_back({"Surface tension γ", in_print(c.fluids.surface_tension, "N/m")});
     rows.push_back({"Contact angle θ", in_print(c.fluids.contact_angle, "rad")});
   }
@@ -208,6 +209,7 @@ json stage_rows(const RetentionStage& s) {
 
 json stage_rows(const TwoPhaseStage& s) { return two_phase_rows(s); }
 json stage_rows(const SaturatedStage& s) { return saturated_rows(s); }
+json stage_rows(const UnsaturatedStage& s) { return unsaturated_rows(s); }
 
 }  // namespace
 

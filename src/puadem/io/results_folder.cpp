@@ -106,8 +106,9 @@ void write_summary(ResultsFolder& folder, const Case& c, const State& state, con
 }  // namespace
 
 std::vector<AppendFile*> append_files(ResultsFolder& folder) {
-  return {&folder.log,      &folder.progress, &folder.retention,   &folder.events,    &folder.compaction,      &folder.history,
-          &folder.pressure, &folder.flow,     &folder.flow_events, &folder.saturated, &folder.pressure_profile};
+  return {&folder.log,         &folder.progress,  &folder.retention,        &folder.events,
+          &folder.compaction,  &folder.history,   &folder.pressure,         &folder.flow,
+          &folder.flow_events, &folder.saturated, &folder.pressure_profile, &folder.unsaturated};
 }
 
 double wall_seconds(const ResultsFolder& folder) {

@@ -18,6 +18,20 @@ std::string saturated_line(const SaturatedRow& r) {
                      r.unbalanced, r.remeshes);
 }
 
+std::string unsaturated_line(const UnsaturatedRow& r) {
+  std::string spans;
+  for (unsigned a = 0; a < 3; ++a)
+    if (r.chains_span[a]) spans += "xyz"[a];
+  const Vec3 &s = r.contact_stress, &f = r.fluid_stress;
+  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", r.stage, r.branch, r.capillary_pressure,
+                                 r.pc_star, r.saturation, r.strain, r.volume_strain, r.porosity, r.total_stress, s.x, s.y, s.z,
+                                 f.x, f.y, f.z, text_of(r.chi_contact), text_of(r.chi_fluid));
+  line += fmt::format(",{},{},{},{},{},{},{},{},{},{}", r.mean_force, r.mean_force_ratio, r.strong_share, spans, r.coordination,
+                      r.contact_anisotropy, r.capillary_anisotropy, r.capillary_force, r.pressure_force, r.tension_force);
+  return line + fmt::format(",{},{},{},{},{},{},{}\n", r.trapped_wetting, r.trapped_nonwetting, r.wetting_error,
+                            r.nonwetting_error, r.rounds, r.remeshes, r.pores_changed);
+}
+
 std::string pressure_profile_lines(const SaturatedRecord& record, const PressureProfile& profile) {
   std::string lines;
   for (const PressureLayer& layer : profile.layers)

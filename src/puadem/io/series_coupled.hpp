@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "puadem/coupling/saturated_stage.hpp"
+#include "puadem/coupling/unsaturated_stage.hpp"
 
 namespace puadem {
 
@@ -14,7 +15,15 @@ inline constexpr std::string_view saturated_header =
     "unbalanced,remeshes\n";
 inline constexpr std::string_view pressure_profile_header = "stage,time_s,time_factor,place_m,pressure_Pa,terzaghi_Pa,pores\n";
 
+inline constexpr std::string_view unsaturated_header =
+    "stage,branch,pc_Pa,pc_star,saturation,axial_strain,volume_strain,porosity,total_stress_Pa,contact_stress_xx_Pa,"
+    "contact_stress_yy_Pa,contact_stress_zz_Pa,fluid_stress_xx_Pa,fluid_stress_yy_Pa,fluid_stress_zz_Pa,chi_contact,chi_fluid,"
+    "mean_normal_force_N,mean_force_ratio,strong_contacts,chains_span,coordination,contact_anisotropy,capillary_anisotropy,"
+    "capillary_force_N,pressure_force_N,tension_force_N,trapped_wetting,trapped_nonwetting,wetting_error,nonwetting_error,rounds,"
+    "remeshes,pores_changed\n";
+
 std::string saturated_line(const SaturatedRow& row);
+std::string unsaturated_line(const UnsaturatedRow& row);
 std::string pressure_profile_lines(const SaturatedRecord& record, const PressureProfile& profile);
 
 }  // namespace puadem

@@ -271,6 +271,40 @@ void fields(auto& a, Is<SaturatedRecord> auto& record) {
        coupling_limit, coupling_interval);
 }
 
+void fields(auto& a, Is<UnsaturatedState> auto& s) {
+  auto& [place, flow, forces, tension, capillary_pressure, void_listed, water_start, gas_start, remeshes, cells_renewed,
+         pores_changed, grain_steps, fluid_steps, grain_time, settling_steps] = s;
+  each(a, "place flow forces tension capillary_pressure void_listed water_start gas_start remeshes cells_renewed pores_changed",
+       place, flow, forces, tension, capillary_pressure, void_listed, water_start, gas_start, remeshes, cells_renewed,
+       pores_changed);
+  each(a, "grain_steps fluid_steps grain_time settling_steps", grain_steps, fluid_steps, grain_time, settling_steps);
+}
+
+void fields(auto& a, Is<UnsaturatedRow> auto& r) {
+  auto& [stage, branch, capillary_pressure, pc_star, saturation, strain, volume_strain, porosity, total_stress, contact_stress,
+         fluid_stress, chi_contact, chi_fluid, mean_force, mean_force_ratio, strong_share, chains_span, coordination,
+         contact_anisotropy, capillary_anisotropy, capillary_force, pressure_force, tension_force, trapped_wetting,
+         trapped_nonwetting, wetting_error, nonwetting_error, rounds, remeshes, pores_changed] = r;
+  each(a, "stage branch capillary_pressure pc_star saturation strain volume_strain porosity total_stress contact_stress", stage,
+       branch, capillary_pressure, pc_star, saturation, strain, volume_strain, porosity, total_stress, contact_stress);
+  each(a, "fluid_stress chi_contact chi_fluid mean_force mean_force_ratio strong_share chains_span coordination", fluid_stress,
+       chi_contact, chi_fluid, mean_force, mean_force_ratio, strong_share, chains_span, coordination);
+  each(a, "contact_anisotropy capillary_anisotropy capillary_force pressure_force tension_force trapped_wetting",
+       contact_anisotropy, capillary_anisotropy, capillary_force, pressure_force, tension_force, trapped_wetting);
+  each(a, "trapped_nonwetting wetting_error nonwetting_error rounds remeshes pores_changed", trapped_nonwetting, wetting_error,
+       nonwetting_error, rounds, remeshes, pores_changed);
+}
+
+void fields(auto& a, Is<ForceSpread> auto& spread) {
+  auto& [contact, capillary] = spread;
+  each(a, "contact capillary", contact, capillary);
+}
+
+void fields(auto& a, Is<UnsaturatedRecord> auto& record) {
+  auto& [stage, axis, rows, spreads] = record;
+  each(a, "stage axis rows spreads", stage, axis, rows, spreads);
+}
+
 // The run.
 
 void fields(auto& a, Is<LoadingScale> auto& scale) {
@@ -308,6 +342,12 @@ void fields(auto& a, Is<SaturatedProgress> auto& at) {
        duration, interval, longest_step, step, rows, profiles);
 }
 
+void fields(auto& a, Is<UnsaturatedProgress> auto& at) {
+  auto& [began, mean_radius, solid_volume, first_force, start_size, stop, round, saturation_before, strain_before] = at;
+  each(a, "began mean_radius solid_volume first_force start_size stop round saturation_before strain_before", began, mean_radius,
+       solid_volume, first_force, start_size, stop, round, saturation_before, strain_before);
+}
+
 void fields(auto& a, Is<RunPosition> auto& position) {
   auto& [stage, is_packing_shown, progress] = position;
   each(a, "stage is_packing_shown progress", stage, is_packing_shown, progress);
@@ -315,11 +355,11 @@ void fields(auto& a, Is<RunPosition> auto& position) {
 
 void fields(auto& a, Is<State> auto& s) {
   auto& [position, time, domain, particles, grains, history, network, reservoir_pores, permeability, invasion, flow, flows,
-         saturated, saturated_flows, saturation, retention] = s;
+         saturated, saturated_flows, unsaturated, unsaturated_flows, saturation, retention] = s;
   each(a, "position time domain particles grains history network reservoir_pores permeability", position, time, domain, particles,
        grains, history, network, reservoir_pores, permeability);
-  each(a, "invasion flow flows saturated saturated_flows saturation retention", invasion, flow, flows, saturated, saturated_flows,
-       saturation, retention);
+  each(a, "invasion flow flows saturated saturated_flows unsaturated unsaturated_flows saturation retention", invasion, flow,
+       flows, saturated, saturated_flows, unsaturated, unsaturated_flows, saturation, retention);
 }
 
 void fields(auto& a, Is<Ledger> auto& ledger) {

@@ -16,6 +16,10 @@ VtkPolyData grain_fields(const State& state) {
   VtkPolyData data;
   data.points = p.position;
   data.point_data = {{"radius", p.radius}, {"material", std::move(material)}};
+  if (state.unsaturated && size_of(state.unsaturated->forces.grain) == p.size()) {
+    data.point_data.push_back({"fluid_force", state.unsaturated->forces.grain});
+    data.point_data.push_back({"tension_force", state.unsaturated->tension});
+  }
   if (!state.grains || !state.grains->is_evaluated) return data;
   GrainStresses g = grain_stresses(*state.grains);
   std::vector<double> speed(p.radius.size());
@@ -106,6 +110,7 @@ VtkPolyData throat_fields(const State& state, const Fluids& fluids) {
     entry_pressure[t] = n.throat_entry_radius[t] > 0 ? fluids.surface_tension / n.throat_entry_radius[t]
                                                      : std::numeric_limits<double>::infinity();
     if (state.invasion) is_open[t] = state.invasion->nonwetting.passes[t];
+    if (state.unsaturated) is_open[t] = state.unsaturated->flow.nonwetting.passes[t];
     if (t < n.throat_at_wall.size()) wall[t] = n.throat_at_wall[t];
   }
   data.cell_data = {{"entry_pressure", std::move(entry_pressure)}, {"open", std::move(is_open)}, {"wall", std::move(wall)}};

@@ -8,7 +8,8 @@
 namespace puadem {
 
 /// Grains as points with `radius` [m] and `material`; where the grain engine runs also `speed` [m/s], `mean_stress` and
-/// `deviatoric_stress` on the power cell [Pa], `contacts` (walls included) and `cell_volume` [m3].
+/// `deviatoric_stress` on the power cell [Pa], `contacts` (walls included) and `cell_volume` [m3]; where two fluids push them
+/// the vectors `fluid_force` and, of it, `tension_force`, what menisci in throats make [N].
 VtkPolyData grain_fields(const State& state);
 
 /// Contacts as lines from centre to centre, or from the foot on a wall: `normal_force` and `shear_force` [N], `wall`

@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "puadem/base/error.hpp"
+#include "puadem/coupling/checked_network.hpp"
+#include "puadem/coupling/ready_grains.hpp"
+#include "puadem/coupling/saturated_step.hpp"
+#include "puadem/coupling/stages.hpp"
+#include "puadem/coupling/unsaturated_results.hpp"
+#include "puadem/dem/fabric.hpp"
+#include "puadem/dem/motion.hpp"
+#include "puadem/flow/retention_path.hpp"
+
+namespace puadem {
+
+namespace {
+
+constexpr double wall_speed_share = 0.3;  // largest speed of a loaded wall over that of a grain its stress would set moving
+
+/// A stage under way.
+struct Unsaturated {
+  const Case& c;
+  const UnsaturatedStage& stage;
+  State& state;
+  const Observer& observer;
+  RunResults& results;
+  UnsaturatedProgress& at;
+  UnsaturatedOptions options;
+  UnsaturatedCache cache{};
+  std::vector<RetentionStop> stops{};
+
+  GrainSystem& grains() { return *state.grains; }
+  UnsaturatedState& fluids() { return *state.unsaturated; }
+  UnsaturatedRecord& record() { return state.unsaturated_flows.back(); }
+  double strain() { return std::log(at.start_size[record().axis] / grains().domain.size()[record().axis]); }
+};
+
+UnsaturatedOptions options_of(const Case& c, const UnsaturatedStage& stage, double mean_radius) {
+  UnsaturatedOptions options;
+  options.fluids = c.fluids;
+  options.flow.gas = GasKind::connected;
+  options.flow.touching_first = true;
+  options.flow.corner_films = stage.corner_films;
+  options.flow.snap_off = stage.snap_off;
+  options.flow.retention_law = stage.retention_law;
+  options.network = c.pores;
+  options.network.contact_angle = c.fluids.contact_angle;
+  options.air = stage.air;
+  options.water = stage.water;
+  options.initial_air_fraction = stage.initial_air_fraction;
+  options.remesh_displacement = stage.remesh_displacement * mean_radius;
+  options.unbalanced = stage.unbalanced;
+  return options;
+}
+
+void load_walls(const UnsaturatedStage& stage, const LoadingScale& scale, GrainSystem& grains) {
+  grains.motion.strain_with_box = false;
+  grains.motion.damping = stage.damping;
+  for (Wall& wall : grains.walls) {
+    if (wall.face < 0 || !stage.loaded[to_size(wall.face)]) continue;
+    const int axis = axis_of(wall.face);
+    wall.target = *stage.stress;
+    wall.area = scale.size[(axis + 1) % 3] * scale.size[(axis + 2) % 3];
+    wall.servo_stress = ServoStress::total;
+    wall.speed_limit = wall_speed_share * std::sqrt(*stage.stress / scale.density);
+  }
+}
+
+UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer& observer) {
+  const auto& stage = std::get<UnsaturatedStage>(c.stages[to_size(index)]);
+  GrainSystem& grains = ready_grains(c, state, observer);
+  collect(grains, state.particles);
+  state.domain = grains.domain;
+  const LoadingScale scale = loading_scale(c, grains, state.particles, measure(grains));
+  UnsaturatedRecord& record = state.unsaturated_flows.emplace_back();
+  record.stage = stage_name(c, index);
+  const auto loaded = std::ranges::find(stage.loaded, true);
+  record.axis = loaded != stage.loaded.end() ? axis_of(static_cast<int>(loaded - stage.loaded.begin())) : 2;
+  UnsaturatedProgress at;
+  at.mean_radius = 0.5 * scale.diameter;
+  at.began = state.time;
+  at.start_size = scale.size;
+  for (const double mass : state.particles.mass) at.solid_volume += mass / scale.density;
+  state.network = checked_network(c, state, observer, true);
+  load_walls(stage, scale, grains);
+  UnsaturatedCache cache;
+  state.unsaturated = start_unsaturated(options_of(c, stage, at.mean_radius), state.network, state.particles, grains, cache);
+  return at;
+}
+
+void write_row(Unsaturated& u) {
+  evaluate_forces(u.grains());
+  const RetentionStop& stop = u.stops[to_size(u.at.stop)];
+  UnsaturatedRow row = unsaturated_row(u.grains(), u.state.network, u.state.particles, u.fluids(), u.cache, u.record().axis);
+  row.stage = u.record().stage;
+  row.branch = stop.branch;
+  row.pc_star = stop.capillary_pressure * u.at.mean_radius / u.c.fluids.surface_tension;
+  const Vec3 size = u.grains().domain.size(), before = u.at.start_size;
+  row.strain = u.strain();
+  row.volume_strain = std::log(before.x * before.y * before.z / (size.x * size.y * size.z));
+  row.porosity = 1.0 - u.at.solid_volume / u.grains().domain.volume();
+  if (u.record().rows.empty()) u.at.first_force = row.mean_force;
+  if (u.at.first_force > 0.0) row.mean_force_ratio = row.mean_force / u.at.first_force;
+  row.rounds = u.at.round;
+  u.record().rows.push_back(row);
+  u.record().spreads.push_back(force_spread(u.grains(), u.fluids()));
+  u.state.saturation = saturation(u.state.network, u.fluids().flow);
+  if (u.observer.unsaturated) u.observer.unsaturated(u.state, u.record().rows.back());
+}
+
+void tell_progress(Unsaturated& u, double saturation) {
+  Progress progress;
+  progress.stage = UnsaturatedStage::kind;
+  progress.fraction = static_cast<double>(u.at.stop) / static_cast<double>(u.stops.size());
+  progress.step = u.grains().steps;
+  progress.time = u.state.time;
+  progress.saturation = saturation;
+  progress.capillary_pressure = u.fluids().capillary_pressure;
+  progress.porosity = 1.0 - u.at.solid_volume / u.grains().domain.volume();
+  tell_at_safe_place(u.observer, progress, u.state, u.results);
+}
+
+/// One round at the present stop. @return whether grains and fluids rest
+bool make_round(Unsaturated& u) {
+  UnsaturatedState& s = u.fluids();
+  s.capillary_pressure = u.stops[to_size(u.at.stop)].capillary_pressure;
+  rest_fluids(u.options, u.state.network, u.state.particles, u.grains(), s, u.cache);
+  const bool grains_rest = rest_grains(u.options, u.grains(), u.state.particles, s);
+  u.state.time = u.at.began + s.grain_time;
+  if (grains_rest) ++u.at.round;
+  const double now = totals(u.state.network, *u.cache.model, s.flow).saturation;
+  const bool rest = grains_rest && u.at.round > 1 && std::abs(now - u.at.saturation_before) < u.stage.saturation_change &&
+                    std::abs(u.strain() - u.at.strain_before) < u.stage.strain_change;
+  if (!rest && grains_rest) {
+    ensure(u.at.round < u.stage.rounds,
+           "step {}: stage {}: grains and fluids do not come to rest at a capillary pressure of {:.4g} Pa within {} rounds; "
+           "saturation {:.4f}, a round before {:.4f}, strain {:.4g}, before {:.4g}; smaller steps of the path help",
+           u.grains().steps, u.record().stage, s.capillary_pressure, u.at.round, now, u.at.saturation_before, u.strain(),
+           u.at.strain_before);
+    u.at.saturation_before = now;
+    u.at.strain_before = u.strain();
+  }
+  return rest;
+}
+
+void tell_end(const Unsaturated& u) {
+  if (!u.observer.message) return;
+  const UnsaturatedState& s = *u.state.unsaturated;
+  u.observer.message(fmt::format(
+      "stage {}: {} steps of the grains, {} of the fluids; {} new networks, {} cells renewed, {} pores "
+      "whose saturation changed by more than 0.01 by merging",
+      u.state.unsaturated_flows.back().stage, s.grain_steps, s.fluid_steps, s.remeshes, s.cells_renewed, s.pores_changed));
+}
+
+}  // namespace
+
+void run_unsaturated_stage(const Case& c, int index, State& state, const Observer& observer, RunResults& results) {
+  const auto& stage = std::get<UnsaturatedStage>(c.stages[to_size(index)]);
+  if (!has_begun(state)) state.position.progress = begin(c, index, state, observer);
+  auto& at = std::get<UnsaturatedProgress>(state.position.progress);
+  Unsaturated u{c, stage, state, observer, results, at, options_of(c, stage, at.mean_radius)};
+  u.stops = retention_stops({stage.path, stage.step, at.mean_radius});
+  renew_cache(u.options, state.network, state.particles, u.grains().domain, u.fluids(), u.cache);
+  while (at.stop < size_of(u.stops)) {
+    const bool rest = make_round(u);
+    if (rest) {
+      // Strains are counted from rest under the first pressure.
+      if (at.stop == 0) at.start_size = u.grains().domain.size();
+      write_row(u);
+      ++at.stop;
+      at.round = 0;
+      u.fluids().settling_steps = 0;
+    }
+    follow_grains(u.options, u.grains(), state.particles, state.network, u.fluids(), u.cache);
+    state.domain = u.grains().domain;
+    state.saturation = saturation(state.network, u.fluids().flow);
+    tell_progress(u, totals(state.network, *u.cache.model, u.fluids().flow).saturation);
+  }
+  release_fluid_forces(u.grains());
+  describe_unsaturated(u.record(), u.fluids(), results);
+  tell_end(u);
+}
+
+}  // namespace puadem

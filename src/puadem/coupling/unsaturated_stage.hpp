@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "puadem/base/vec3.hpp"
+#include "puadem/flow/retention_law.hpp"
+
+namespace puadem {
+
+/// Stage "unsaturated-flow": steps of the capillary pressure, at each of which grains and two fluids move each other until all
+/// rest (theory 7.6). It begins with water everywhere.
+struct UnsaturatedStage {
+  static constexpr std::string_view kind = "unsaturated-flow";
+
+  std::vector<double> path;                                            ///< turning points of the capillary pressure [Pa]
+  double step = 100.0;                                                 ///< along the path [Pa]
+  int air = 5;                                                         ///< face of its reservoir, at pressure 0
+  std::array<bool, 6> water{false, false, false, false, true, false};  ///< faces of the water's reservoir
+  double initial_air_fraction = 1e-6;                                  ///< of the pores at the air's face [-]
+  std::array<bool, 6> loaded{};      ///< faces whose walls move to hold `stress`; all others stand
+  std::optional<double> stress;      ///< of grains and fluids together, over the air's pressure [Pa]
+  double damping = 0.3;              ///< Cundall damping [-]
+  double unbalanced = 1e-3;          ///< force ratio at which the grains are at rest [-]
+  double saturation_change = 1e-3;   ///< of a round below which a step is at its end [-]
+  double strain_change = 1e-5;       ///< and change of the strain [-]
+  int rounds = 50;                   ///< most of a step, those not counted that end with a new network
+  double remesh_displacement = 0.1;  ///< of a grain, over the mean radius, at which a new network is made [-]
+  bool corner_films = true;          ///< water flows through the corners of open throats
+  bool snap_off = false;             ///< see `InvasionOptions::snap_off`
+  AnyRetentionLaw retention_law = ExponentialRetention{};
+
+  bool is_loaded() const {
+    for (const bool l : loaded)
+      if (l) return true;
+    return false;
+  }
+};
+
+/// Grains and fluids at rest at one capillary pressure: a row of series/unsaturated.csv. Compression and shortening positive.
+struct UnsaturatedRow {
+  std::string stage, branch;
+  double capillary_pressure = 0.0;                         ///< [Pa]
+  double pc_star = 0.0;                                    ///< p_c <r> / gamma [-]
+  double saturation = 1.0;                                 ///< [-]
+  double strain = 0.0;                                     ///< logarithmic, along the axis, since rest at the first pressure [-]
+  double volume_strain = 0.0;                              ///< the same of the box's volume [-]
+  double porosity = 0.0;                                   ///< [-]
+  double total_stress = 0.0;                               ///< along the axis, over the air's pressure [Pa]
+  Vec3 contact_stress;                                     ///< sigma' along x, y, z [Pa]
+  Vec3 fluid_stress;                                       ///< of the fluids' forces on grains and walls, theory 7.8 [Pa]
+  std::optional<double> chi_contact;                       ///< Bishop's, from the contacts; none without capillary pressure [-]
+  std::optional<double> chi_fluid;                         ///< and from the fluids' forces [-]
+  double mean_force = 0.0;                                 ///< normal, of the contacts between grains [N]
+  double mean_force_ratio = 1.0;                           ///< over that at the first pressure [-]
+  double strong_share = 0.0;                               ///< of these contacts, those of more than the mean force [-]
+  std::array<bool, 3> chains_span{};                       ///< do they join opposite sides of the box along x, y, z?
+  double coordination = 0.0;                               ///< contacts of a grain, walls included [-]
+  double contact_anisotropy = 0.0;                         ///< of contact normals, theory 2.17 [-]
+  double capillary_anisotropy = 0.0;                       ///< of the fluids' forces on the grains, theory 7.8 [-]
+  double capillary_force = 0.0;                            ///< their mean magnitude [N]
+  double pressure_force = 0.0;                             ///< of the part that pressures on the solid make [N]
+  double tension_force = 0.0;                              ///< of the part that menisci in throats make [N]
+  double trapped_wetting = 0.0, trapped_nonwetting = 0.0;  ///< shares of the void [-]
+  double wetting_error = 0.0, nonwetting_error = 0.0;      ///< of the ledger, over the void [-]
+  int rounds = 0;                                          ///< until all rested
+  long remeshes = 0;                                       ///< since the start of the stage
+  long pores_changed = 0;  ///< whose saturation a new network changed by more than 0.01, by merging
+};
+
+/// Contact forces and the fluids' forces at one row, each over its mean: densities in classes of equal width.
+struct ForceSpread {
+  static constexpr double width = 0.2;     ///< of a class, in units of the mean [-]
+  std::vector<double> contact, capillary;  ///< probability density by number; a class after the last is none [-]
+};
+
+/// What a stage leaves behind.
+struct UnsaturatedRecord {
+  std::string stage;
+  int axis = 2;  ///< of the strain: that of the first loaded face, else z
+  std::vector<UnsaturatedRow> rows;
+  std::vector<ForceSpread> spreads;  ///< one for each row
+};
+
+}  // namespace puadem

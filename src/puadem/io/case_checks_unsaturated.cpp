@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "puadem/geometry/domain.hpp"
+#include "puadem/io/case_checks_coupled.hpp"
+
+namespace puadem {
+
+void check_unsaturated_stage(const UnsaturatedStage& s, const TomlValue& tree, int index, const Case& c, Problems& problems) {
+  const auto error = [&](std::string_view key, const std::string& text) {
+    const TomlValue* value = tree.find(key);
+    problems.error(value != nullptr ? value->place : tree.place, fmt::format("stage.{}{}", index, text));
+  };
+  const auto need_wall = [&](std::string_view key, int face) {
+    if (c.domain.periodic[to_size(axis_of(face))])
+      error(key, fmt::format(".{}: \"{}\" is no wall: the direction {} is periodic", key, face_names[to_size(face)],
+                             "xyz"[axis_of(face)]));
+  };
+  need_wall("air", s.air);
+  if (std::ranges::none_of(s.water, [](bool w) { return w; })) error("water", ".water names no face");
+  if (s.water[to_size(s.air)])
+    error("water", fmt::format(": air and water must lie at different faces, not both at {}", face_names[to_size(s.air)]));
+  for (int face = 0; face < 6; ++face) {
+    if (s.water[to_size(face)]) need_wall("water", face);
+    if (s.loaded[to_size(face)]) need_wall("loaded", face);
+  }
+  if (s.is_loaded() != s.stress.has_value())
+    error(s.stress ? "stress" : "loaded", ".loaded and .stress go together: give both or none");
+  for (std::size_t i = 1; i < s.path.size(); ++i)
+    if (s.path[i] == s.path[i - 1]) error("path", ".path: a pressure must differ from the one before it");
+  double span = 0.0;
+  for (std::size_t i = 1; i < s.path.size(); ++i) span += std::abs(s.path[i] - s.path[i - 1]);
+  if (span / s.step > 1e5) error("step", fmt::format(".step makes {:.3g} steps along the path; at most 1e5", span / s.step));
+}
+
+}  // namespace puadem

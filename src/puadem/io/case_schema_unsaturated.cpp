@@ -1,0 +1,95 @@
+#include "puadem/base/parallel.hpp"
+#include "puadem/geometry/domain.hpp"
+#include "puadem/io/case_schema_stages.hpp"
+
+namespace puadem {
+
+namespace {
+
+using S = UnsaturatedStage;
+using Fields = std::vector<Field<S>>;
+
+KeyInfo faces(std::string name, std::string help, std::string example) {
+  KeyInfo info = choice(std::move(name), {face_names.begin(), face_names.end()}, std::move(help));
+  info.type = "a list of choices";
+  info.example = std::move(example);
+  return info;
+}
+
+void add_path(Fields& fields) {
+  fields.push_back(bind<S>(needed(quantity("path", "Pa", at_least(0), between(1e-2, 1e9), R"(["0 Pa", "2 kPa", "0 Pa"])",
+                                           "turning points of the capillary pressure between the reservoirs")),
+                           &S::path));
+  fields.back().info.type = "a list of pressures";
+  fields.push_back(bind<S>(quantity("step", "Pa", above(0), between(1e-2, 1e8), R"("50 Pa")", "along the path"), &S::step));
+}
+
+void add_places(Fields& fields) {
+  const KeyInfo air = choice("air", {face_names.begin(), face_names.end()}, "face where the non-wetting fluid comes from");
+  fields.push_back({air,
+                    [air](const TomlValue& value, Problems& problems, S& s) {
+                      if (const auto face = read_face(value, air, problems)) s.air = *face;
+                    },
+                    [air](const S& s) { return toml_text(air.choices[to_size(s.air)]); }});
+  fields.push_back(bind<S>(faces("water", "faces of the wetting reservoir", R"(["bottom"])"), &S::water));
+  fields.push_back(
+      bind<S>(number("initial_air_fraction", inside(0, 1), "air in the pores at its face at the start", between(1e-9, 0.5)),
+              &S::initial_air_fraction));
+}
+
+void add_load(Fields& fields) {
+  fields.push_back(
+      bind<S>(faces("loaded", "faces whose walls move to hold `stress`; all others stand", R"(["top"])"), &S::loaded));
+  fields.push_back(bind<S>(noted(quantity("stress", "Pa", above(0), between(1, 1e8), R"("10 kPa")",
+                                          "of grains and fluids together on the loaded faces, over the pressure of the air"),
+                                 "required with loaded"),
+                           &S::stress));
+  fields.push_back(
+      bind<S>(number("damping", Interval{0, 1, false, true}, "Cundall damping of the grains", between(0, 0.7)), &S::damping));
+}
+
+void add_rest(Fields& fields) {
+  fields.push_back(
+      bind<S>(number("unbalanced", above(0), "unbalanced force ratio at which the grains are at rest", between(1e-6, 1e-2)),
+              &S::unbalanced));
+  fields.push_back(bind<S>(
+      number("saturation_change", above(0), "change of the saturation in a round below which all rest", between(1e-6, 1e-2)),
+      &S::saturation_change));
+  fields.push_back(
+      bind<S>(number("strain_change", above(0), "change of the strain in a round below which all rest", between(1e-8, 1e-3)),
+              &S::strain_change));
+  fields.push_back(bind<S>(whole("rounds", 2, 1e6, "most rounds at one capillary pressure", "50"), &S::rounds));
+  fields.push_back(bind<S>(number("remesh_displacement", above(0),
+                                  "displacement of a grain since the pore network was made, over the mean radius, at which a new "
+                                  "one is made",
+                                  between(1e-3, 0.5)),
+                           &S::remesh_displacement));
+}
+
+void add_physics(Fields& fields) {
+  fields.push_back(
+      bind<S>(flag("corner_films", "the wetting fluid flows through the corners of open throats"), &S::corner_films));
+  fields.push_back(bind<S>(flag("snap_off", "open throats may close by their corner menisci"), &S::snap_off));
+  fields.push_back(bind_law<S, AnyRetentionLaw>(
+      "retention_law", "capillary pressure of a unit that holds both fluids", [](auto& s) -> auto& { return s.retention_law; }));
+}
+
+}  // namespace
+
+template <>
+const Section<UnsaturatedStage>& stage_section() {
+  static const Section<UnsaturatedStage> section = [] {
+    Section<UnsaturatedStage> s;
+    s.fields.push_back(kind_field<UnsaturatedStage>(
+        "steps of the capillary pressure, at each of which two fluids and the grains move each other until all rest"));
+    add_path(s.fields);
+    add_places(s.fields);
+    add_load(s.fields);
+    add_rest(s.fields);
+    add_physics(s.fields);
+    return s;
+  }();
+  return section;
+}
+
+}  // namespace puadem

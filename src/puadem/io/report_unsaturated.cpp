@@ -1,0 +1,117 @@
+#include "puadem/io/report_unsaturated.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "puadem/coupling/unsaturated_results.hpp"
+#include "puadem/geometry/domain.hpp"
+#include "puadem/io/report_column.hpp"
+#include "puadem/io/report_data.hpp"
+#include "puadem/io/text.hpp"
+
+namespace puadem {
+namespace {
+
+using nlohmann::json;
+using Row = UnsaturatedRow;
+
+json fit_json(std::span<const Row> branch) {
+  const auto fit = fit_chi(branch, &Row::chi_contact);
+  if (!fit) return nullptr;
+  return {{"slope", fit->slope}, {"offset", fit->offset}, {"residual", fit->residual}, {"from_saturation", fit->from_saturation}};
+}
+
+json regimes_json(std::span<const Row> branch) {
+  const auto regimes = branch.front().branch.starts_with("drainage") ? drainage_regimes(branch) : std::nullopt;
+  if (!regimes) return nullptr;
+  return {{"air_entry", regimes->air_entry}, {"pendular", regimes->pendular}};
+}
+
+json branch_json(std::span<const Row> branch, int axis, double first_total) {
+  return {{"name", branch.front().branch},
+          {"fit", fit_json(branch)},
+          {"regimes", regimes_json(branch)},
+          {"pc", column(branch, &Row::capillary_pressure)},
+          {"pc_star", column(branch, &Row::pc_star)},
+          {"saturation", column(branch, &Row::saturation)},
+          {"strain", column(branch, &Row::strain)},
+          {"volume_strain", column(branch, &Row::volume_strain)},
+          {"chi_contact", column(branch, &Row::chi_contact)},
+          {"chi_fluid", column(branch, &Row::chi_fluid)},
+          {"effective", column(branch, [&](const Row& r) { return r.contact_stress[axis] - first_total; })},
+          {"force_ratio", column(branch, &Row::mean_force_ratio)},
+          {"contact_anisotropy", column(branch, &Row::contact_anisotropy)},
+          {"capillary_anisotropy", column(branch, &Row::capillary_anisotropy)},
+          {"pressure_force", column(branch, &Row::pressure_force)},
+          {"tension_force", column(branch, &Row::tension_force)},
+          {"capillary_force", column(branch, &Row::capillary_force)}};
+}
+
+/// Spreads at full saturation, in the middle and at the end of the first branch.
+json spreads_json(const UnsaturatedRecord& record, std::size_t end) {
+  json spreads = json::array();
+  std::vector<std::size_t> chosen{0};
+  for (const double s : {0.5, 0.0}) {
+    std::size_t best = chosen.back();
+    for (std::size_t k = 0; k < end; ++k)
+      if (std::abs(record.rows[k].saturation - s) < std::abs(record.rows[best].saturation - s)) best = k;
+    if (best != chosen.back()) chosen.push_back(best);
+  }
+  for (const std::size_t k : chosen)
+    spreads.push_back({{"saturation", record.rows[k].saturation},
+                       {"contact", record.spreads[k].contact},
+                       {"capillary", record.spreads[k].capillary}});
+  return spreads;
+}
+
+}  // namespace
+
+json unsaturated_json(const State& state) {
+  json stages = json::array();
+  for (const UnsaturatedRecord& record : state.unsaturated_flows) {
+    const std::span<const Row> rows(record.rows);
+    if (rows.empty()) continue;
+    json branches = json::array();
+    std::size_t first_end = rows.size();
+    for (std::size_t first = 0; first < rows.size();) {
+      std::size_t end = first;
+      while (end < rows.size() && rows[end].branch == rows[first].branch) ++end;
+      if (first == 0) first_end = end;
+      branches.push_back(branch_json(rows.subspan(first, end - first), record.axis, rows.front().total_stress));
+      first = end;
+    }
+    stages.push_back({{"name", record.stage},
+                      {"axis", std::string(1, "xyz"[record.axis])},
+                      {"width", ForceSpread::width},
+                      {"branches", std::move(branches)},
+                      {"spreads", spreads_json(record, first_end)}});
+  }
+  return stages;
+}
+
+json unsaturated_rows(const UnsaturatedStage& s) {
+  const auto faces = [](const std::array<bool, 6>& is_in) {
+    std::vector<std::string> names;
+    for (int face = 0; face < 6; ++face)
+      if (is_in[to_size(face)]) names.emplace_back(face_names[to_size(face)]);
+    return joined(names);
+  };
+  std::string path;
+  for (const double p : s.path) path += fmt::format("{}{}", path.empty() ? "" : " → ", in_print(p, "Pa"));
+  json rows = json::array({{"Path of p_c", path},
+                           {"Output step", in_print(s.step, "Pa")},
+                           {"Air enters at", std::string(face_names[to_size(s.air)])},
+                           {"Water leaves at", faces(s.water)}});
+  if (s.stress) rows.push_back({"Loaded", fmt::format("{}, {}", faces(s.loaded), in_print(*s.stress, "Pa"))});
+  rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
+  rows.push_back({"Grains at rest below an unbalanced force of", fmt::format("{:.4g}", s.unbalanced)});
+  rows.push_back(
+      {"All at rest below changes of saturation, strain", fmt::format("{:.4g}, {:.4g}", s.saturation_change, s.strain_change)});
+  rows.push_back({"New network after", fmt::format("{:.4g} of the mean radius", s.remesh_displacement)});
+  rows.push_back({"Corner films connect", s.corner_films ? "yes" : "no"});
+  rows.push_back({"Snap-off", s.snap_off ? "yes" : "no"});
+  return rows;
+}
+
+}  // namespace puadem

@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "puadem/base/error.hpp"
+#include "puadem/io/case_file.hpp"
+
+namespace puadem {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string bed = R"(title = "bed"
+[domain]
+periodic = ["x", "y"]
+[grains]
+count = 500
+material = "glass"
+grading = { by = "number", classes = [{ diameter = "0.3 mm", fraction = 1.0 }] }
+[materials.glass]
+density = "2650 kg/m3"
+[[stage]]
+kind = "compact"
+stress = "10 kPa"
+[[stage]]
+kind = "unsaturated-flow"
+)";
+
+const std::string everything = bed + R"(path = ["0 Pa", "2 kPa", "0 Pa"]
+step = "50 Pa"
+air = "bottom"
+water = ["top"]
+initial_air_fraction = 1e-5
+loaded = ["bottom", "top"]
+stress = "12 kPa"
+damping = 0.1
+unbalanced = 1e-4
+saturation_change = 2e-3
+strain_change = 3e-5
+rounds = 30
+remesh_displacement = 0.03
+corner_films = false
+snap_off = true
+)";
+
+UnsaturatedStage stage_of(const std::string& text) {
+  return std::get<UnsaturatedStage>(parse_case(text, "case.toml", "/study").c.stages[1]);
+}
+
+void expect_error(const std::string& keys, const std::string& message) {
+  EXPECT_THAT([&] { parse_case(bed + keys, "case.toml", "/study"); }, ::testing::ThrowsMessage<InputError>(HasSubstr(message)))
+      << keys;
+}
+
+TEST(UnsaturatedKeys, FillEveryFieldAndAreWrittenBack) {
+  const Case c = parse_case(everything, "case.toml", "/study").c;
+  for (const UnsaturatedStage& s : {std::get<UnsaturatedStage>(c.stages[1]), stage_of(resolved_case(c))}) {
+    EXPECT_THAT(s.path, ElementsAre(0.0, 2000.0, 0.0));
+    EXPECT_EQ(s.step, 50.0);
+    EXPECT_EQ(s.air, 4);
+    EXPECT_EQ(s.water, (std::array<bool, 6>{false, false, false, false, false, true}));
+    EXPECT_EQ(s.initial_air_fraction, 1e-5);
+    EXPECT_EQ(s.loaded, (std::array<bool, 6>{false, false, false, false, true, true}));
+    EXPECT_EQ(s.stress, 12e3);
+    EXPECT_EQ(s.damping, 0.1);
+    EXPECT_EQ(s.unbalanced, 1e-4);
+    EXPECT_EQ(s.saturation_change, 2e-3);
+    EXPECT_EQ(s.strain_change, 3e-5);
+    EXPECT_EQ(s.rounds, 30);
+    EXPECT_EQ(s.remesh_displacement, 0.03);
+    EXPECT_FALSE(s.corner_films);
+    EXPECT_TRUE(s.snap_off);
+  }
+}
+
+TEST(UnsaturatedKeys, WhatCannotRunIsRefusedWithTheReason) {
+  const std::string path = "path = [\"0 Pa\", \"1 kPa\"]\n";
+  expect_error("", "path");
+  expect_error(path + "loaded = [\"top\"]\n", "go together");
+  expect_error(path + "stress = \"1 kPa\"\n", "go together");
+  expect_error(path + "water = [\"top\"]\n", "air and water must lie at different faces");
+  expect_error(path + "water = [\"left\"]\n", "the direction x is periodic");
+  expect_error(path + "loaded = [\"left\"]\nstress = \"1 kPa\"\n", "the direction x is periodic");
+  expect_error(path + "air = \"left\"\n", "the direction x is periodic");
+  expect_error("path = [\"0 Pa\", \"0 Pa\"]\n", "must differ");
+  expect_error("path = [\"0 Pa\", \"1 MPa\"]\nstep = \"1 Pa\"\n", "at most 1e5");
+}
+
+}  // namespace
+}  // namespace puadem
