@@ -33,6 +33,9 @@ water = ["top"]
 initial_air_fraction = 1e-5
 loaded = ["bottom", "top"]
 stress = "12 kPa"
+strain = -0.05
+strain_rate = "2 1/s"
+strain_step = 2e-4
 damping = 0.1
 unbalanced = 1e-4
 saturation_change = 2e-3
@@ -62,6 +65,9 @@ TEST(UnsaturatedKeys, FillEveryFieldAndAreWrittenBack) {
     EXPECT_EQ(s.initial_air_fraction, 1e-5);
     EXPECT_EQ(s.loaded, (std::array<bool, 6>{false, false, false, false, true, true}));
     EXPECT_EQ(s.stress, 12e3);
+    EXPECT_EQ(s.strain, -0.05);
+    EXPECT_EQ(s.strain_rate, 2.0);
+    EXPECT_EQ(s.strain_step, 2e-4);
     EXPECT_EQ(s.damping, 0.1);
     EXPECT_EQ(s.unbalanced, 1e-4);
     EXPECT_EQ(s.saturation_change, 2e-3);
@@ -82,6 +88,8 @@ TEST(UnsaturatedKeys, WhatCannotRunIsRefusedWithTheReason) {
   expect_error(path + "water = [\"left\"]\n", "the direction x is periodic");
   expect_error(path + "loaded = [\"left\"]\nstress = \"1 kPa\"\n", "the direction x is periodic");
   expect_error(path + "air = \"left\"\n", "the direction x is periodic");
+  expect_error(path + "strain_rate = \"1 1/s\"\n", "is used with strain only");
+  expect_error(path + "strain = 0.1\n", "strain needs loaded faces");
   expect_error("path = [\"0 Pa\", \"0 Pa\"]\n", "must differ");
   expect_error("path = [\"0 Pa\", \"1 MPa\"]\nstep = \"1 Pa\"\n", "at most 1e5");
 }

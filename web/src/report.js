@@ -6,7 +6,7 @@ import { permeabilitySection } from "./permeability.js";
 import { fitTable, loopTable, retentionFigure } from "./retention.js";
 import { saturatedFigures } from "./saturated.js";
 import { flowSection } from "./two_phase.js";
-import { unsaturatedFigures } from "./unsaturated.js";
+import { unsaturatedSections } from "./unsaturated.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const { manifest, runs } = data;
@@ -99,9 +99,10 @@ function build() {
     page.append(section(data.saturated.length > 1 ? `Fluid and grains, ${stage.name}` : "Fluid and grains", grid("pair", drawn.map((f) => f.node))));
   }
   for (const stage of data.unsaturated) {
-    const drawn = unsaturatedFigures(stage, next++);
+    const { pictures, figures: drawn, used } = unsaturatedSections(stage, next);
+    next += used;
     figures.push(...drawn);
-    page.append(section(data.unsaturated.length > 1 ? `Grains and two fluids, ${stage.name}` : "Grains and two fluids", grid("pair", drawn.map((f) => f.node))));
+    page.append(section(data.unsaturated.length > 1 ? `Grains and two fluids, ${stage.name}` : "Grains and two fluids", grid("pair", drawn.map((f) => f.node)), pictures));
   }
   if (runs.some((run) => run.pore.low.length > 0)) {
     const pair = distributionFigures(runs, next);

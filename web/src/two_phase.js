@@ -1,6 +1,7 @@
 // Two fluids that move: pictures of the pattern, saturation and volumes in time, box counts, a Haines jump.
 import { element, number } from "./dom.js";
 import { choice, figure, layout } from "./figure.js";
+import { air, grain, paint, swatch, water } from "./section.js";
 
 const blue = "#1f5fa8", red = "#d1561b", teal = "#168a83", ink = "#1a2330";
 const log = { type: "log", tickvals: [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000] };
@@ -12,25 +13,6 @@ function timeScale(times) {
   const last = Math.max(...times, 0);
   return last >= 1 ? [1, "s"] : last >= 1e-3 ? [1e3, "ms"] : [1e6, "µs"];
 }
-
-// Colours of a pixel: 255 is grain; else 254 times the saturation, from orange (air) over sand to blue (water).
-const air = [243, 156, 44], half = [214, 205, 170], water = [31, 95, 168], grain = [245, 247, 249];
-const colour = (s, c) => (s < 0.5 ? air[c] + 2 * s * (half[c] - air[c]) : half[c] + (2 * s - 1) * (water[c] - half[c]));
-function paint(canvas, { columns, rows }, picture) {
-  const bytes = Uint8Array.from(atob(picture), (c) => c.charCodeAt(0));
-  canvas.width = columns;
-  canvas.height = rows;
-  const context = canvas.getContext("2d"), image = context.createImageData(columns, rows);
-  for (let row = 0; row < rows; ++row)
-    for (let column = 0; column < columns; ++column) {
-      const byte = bytes[row * columns + column], at = 4 * ((rows - 1 - row) * columns + column);
-      for (let c = 0; c < 3; ++c) image.data[at + c] = byte === 255 ? grain[c] : colour(byte / 254, c);
-      image.data[at + 3] = 255;
-    }
-  context.putImageData(image, 0, 0);
-}
-
-const swatch = (colour, text) => element("span", { class: "key" }, element("i", { style: `background: rgb(${colour})` }), ` ${text}`);
 
 function patterns(flow, count) {
   const [scale, unit] = timeScale(flow.time);

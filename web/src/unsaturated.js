@@ -1,6 +1,7 @@
 // Two fluids and grains that move each other: retention, strain, effective stress and forces against capillary pressure.
 import { element, number } from "./dom.js";
 import { figure, layout } from "./figure.js";
+import { air, grain, paint, swatch, water } from "./section.js";
 
 const colours = ["#1f5fa8", "#168a83", "#d1561b", "#7a4a80"], ink = "#1a2330", grey = "#8a939d";
 const above = { legend: { ...layout([""], [""]).legend, orientation: "h", x: 0, y: 1.02, xanchor: "left", yanchor: "bottom" }, margin: { l: 66, r: 12, t: 42, b: 48 } };
@@ -81,5 +82,72 @@ function spreads(stage, count) {
     caption: caption(count, "f", "Normal forces of contacts (solid) and forces of the fluids on grains (dashed), each over its mean.") });
 }
 
-/** Figures of one stage. */
-export const unsaturatedFigures = (stage, count) => [retention, strain, bishop, forces, anisotropy, spreads].map((draw) => draw(stage, count));
+/** Arrows of the fluids' forces on the grains of a picture; the longest of all pictures is two cells of a grid of 14. */
+function drawArrows(canvas, picture, longest) {
+  const context = canvas.getContext("2d"), scale = (2 / 14) * picture.columns / longest;
+  context.strokeStyle = context.fillStyle = ink;
+  context.lineWidth = 0.9;
+  picture.across.forEach((x, k) => {
+    const from = [x / picture.pixel, picture.rows - picture.up[k] / picture.pixel];
+    const way = [picture.force_across[k] * scale, -picture.force_up[k] * scale], size = Math.hypot(...way);
+    if (size < 1.5) return;
+    const to = [from[0] + way[0], from[1] + way[1]], head = Math.min(4, 0.4 * size), angle = Math.atan2(way[1], way[0]);
+    context.beginPath();
+    context.moveTo(...from);
+    context.lineTo(...to);
+    context.stroke();
+    context.beginPath();
+    context.moveTo(...to);
+    for (const turn of [2.65, -2.65]) context.lineTo(to[0] + head * Math.cos(angle + turn), to[1] + head * Math.sin(angle + turn));
+    context.fill();
+  });
+}
+
+function pictures(stage, count) {
+  const longest = Math.max(...stage.pictures.flatMap((p) => p.force_across.map((f, k) => Math.hypot(f, p.force_up[k]))));
+  const drawn = stage.pictures.map((p) => {
+    const canvas = element("canvas", { role: "img", "aria-label": `saturation and forces at S = ${number(p.saturation, 3)}` });
+    paint(canvas, p, p.picture);
+    drawArrows(canvas, p, longest);
+    return element("div", {}, canvas, element("div", { class: "note" }, `S = ${number(p.saturation, 3)}, p`, element("sub", {}, "c"), `* = ${number(p.pc_star, 3)}`));
+  });
+  const { columns, rows, pixel, axis } = stage.pictures[0];
+  return element("figure", { id: `unsaturated-section-${stage.name}` },
+    element("div", { class: "figure-head" }, element("h3", {}, "Section"), swatch(air, "air"), swatch(water, "water"), swatch(grain, "grain")),
+    element("div", { class: "pictures", style: `--columns: ${Math.min(drawn.length, 6)}` }, drawn),
+    caption(count, "", `Saturation of the pores in the plane through the middle of the box, across ${axis}, ${number(columns * pixel * 1e3, 3)} mm × ${number(rows * pixel * 1e3, 3)} mm; arrows: force of the fluids on each grain it cuts, the longest ${number(longest * 1e6, 3)} µN.`));
+}
+
+function deviators(stage, strained, count) {
+  return figure({ name: `unsaturated-deviator-${stage.name}`, title: "Deviator", size: "low",
+    draw: () => ({ data: [plain(strained.strain, strained.deviator, "q", colours[0], "solid")],
+      layout: layout(["Strain along z", {}], ["<i>q</i> of the contacts (Pa)", {}], { showlegend: false }) }),
+    series: () => [["strain", "q_Pa", "p_Pa", "saturation"], strained.strain.map((e, k) => [e, strained.deviator[k], strained.contact_mean[k], strained.saturation[k]])],
+    caption: caption(count, "a", `Under p`, element("sub", {}, "c"), ` = ${number(strained.pc[0], 4)} Pa; saturation ${number(strained.saturation[0], 3)} at first, ${number(strained.saturation.at(-1), 3)} at last.`) });
+}
+
+function volumes(stage, strained, count) {
+  return figure({ name: `unsaturated-volume-${stage.name}`, title: "Volume", size: "low",
+    draw: () => ({ data: [plain(strained.strain, strained.volume_strain, "volume", colours[1], "solid")],
+      layout: layout(["Strain along z", {}], ["Volumetric strain, shrinking positive", {}], { showlegend: false }) }),
+    series: () => [["strain", "volume_strain"], strained.strain.map((e, k) => [e, strained.volume_strain[k]])],
+    caption: caption(count, "b", "Of the box, since the straining began.") });
+}
+
+function strainedAnisotropy(stage, strained, count) {
+  return figure({ name: `unsaturated-strained-anisotropy-${stage.name}`, title: "Anisotropy while strained", size: "low",
+    draw: () => ({ data: [plain(strained.strain, strained.capillary_anisotropy, "forces of the fluids", colours[0], "solid"), plain(strained.strain, strained.contact_anisotropy, "contact normals", colours[2], "solid")],
+      layout: layout(["Strain along z", {}], ["Anisotropy", { rangemode: "tozero" }], above) }),
+    series: () => [["strain", "capillary_anisotropy", "contact_anisotropy"], strained.strain.map((e, k) => [e, strained.capillary_anisotropy[k], strained.contact_anisotropy[k]])],
+    caption: caption(count, "c", "Of the forces of the fluids on grains and of the contact normals.") });
+}
+
+/** Sections {pictures, figures} of one stage: the path of pressures and, where there is one, the straining after it. */
+export function unsaturatedSections(stage, count) {
+  const path = { ...stage, branches: stage.branches.filter((b) => b.name !== "strain") };
+  const strained = stage.branches.find((b) => b.name === "strain");
+  const sections = [];
+  if (path.branches.some((b) => b.pc.length > 1)) sections.push([retention, strain, bishop, forces, anisotropy, spreads].map((draw) => draw(path, count)));
+  if (strained) sections.push([deviators, volumes, strainedAnisotropy].map((draw) => draw(stage, strained, count + sections.length)));
+  return { pictures: stage.pictures.length > 0 ? pictures(stage, count + sections.length) : null, figures: sections.flat(), used: sections.length + (stage.pictures.length > 0 ? 1 : 0) };
+}

@@ -78,6 +78,8 @@ struct UnsaturatedProgress {
   Vec3 start_size;                                      ///< of the box, from which strains are counted [m]
   int stop = 0;                                         ///< of the path of pressures
   int round = 0;                                        ///< at that stop
+  double strain_rate = 0.0;                             ///< of the box after the path [1/s]
+  int strain_rows = 0;                                  ///< due no more
   double saturation_before = 2.0, strain_before = 0.0;  ///< a round ago
 };
 

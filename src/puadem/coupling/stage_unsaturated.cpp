@@ -5,6 +5,7 @@
 
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/checked_network.hpp"
+#include "puadem/coupling/loading_program.hpp"
 #include "puadem/coupling/ready_grains.hpp"
 #include "puadem/coupling/saturated_step.hpp"
 #include "puadem/coupling/stages.hpp"
@@ -77,12 +78,15 @@ UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer
   UnsaturatedRecord& record = state.unsaturated_flows.emplace_back();
   record.stage = stage_name(c, index);
   const auto loaded = std::ranges::find(stage.loaded, true);
-  record.axis = loaded != stage.loaded.end() ? axis_of(static_cast<int>(loaded - stage.loaded.begin())) : 2;
+  record.axis = loaded != stage.loaded.end() && !stage.strain ? axis_of(static_cast<int>(loaded - stage.loaded.begin())) : 2;
   UnsaturatedProgress at;
   at.mean_radius = 0.5 * scale.diameter;
   at.began = state.time;
   at.start_size = scale.size;
   for (const double mass : state.particles.mass) at.solid_volume += mass / scale.density;
+  if (stage.strain)
+    at.strain_rate =
+        stage.strain_rate.value_or(default_inertial_number / inertial_number(1.0, scale.diameter, scale.density, *stage.stress));
   state.network = checked_network(c, state, observer, true);
   load_walls(stage, scale, grains);
   UnsaturatedCache cache;
@@ -90,13 +94,12 @@ UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer
   return at;
 }
 
-void write_row(Unsaturated& u) {
+void write_row(Unsaturated& u, const std::string& branch) {
   evaluate_forces(u.grains());
-  const RetentionStop& stop = u.stops[to_size(u.at.stop)];
   UnsaturatedRow row = unsaturated_row(u.grains(), u.state.network, u.state.particles, u.fluids(), u.cache, u.record().axis);
   row.stage = u.record().stage;
-  row.branch = stop.branch;
-  row.pc_star = stop.capillary_pressure * u.at.mean_radius / u.c.fluids.surface_tension;
+  row.branch = branch;
+  row.pc_star = row.capillary_pressure * u.at.mean_radius / u.c.fluids.surface_tension;
   const Vec3 size = u.grains().domain.size(), before = u.at.start_size;
   row.strain = u.strain();
   row.volume_strain = std::log(before.x * before.y * before.z / (size.x * size.y * size.z));
@@ -110,13 +113,15 @@ void write_row(Unsaturated& u) {
   if (u.observer.unsaturated) u.observer.unsaturated(u.state, u.record().rows.back());
 }
 
-void tell_progress(Unsaturated& u, double saturation) {
+void tell_progress(Unsaturated& u) {
+  const double legs = size_of(u.stops) + (u.stage.strain ? size_of(u.stops) : 0);
+  const bool is_straining = u.at.stop == size_of(u.stops) && u.stage.strain;
   Progress progress;
   progress.stage = UnsaturatedStage::kind;
-  progress.fraction = static_cast<double>(u.at.stop) / static_cast<double>(u.stops.size());
+  progress.fraction = (u.at.stop + (is_straining ? size_of(u.stops) * u.strain() / *u.stage.strain : 0.0)) / legs;
   progress.step = u.grains().steps;
   progress.time = u.state.time;
-  progress.saturation = saturation;
+  progress.saturation = totals(u.state.network, *u.cache.model, u.fluids().flow).saturation;
   progress.capillary_pressure = u.fluids().capillary_pressure;
   progress.porosity = 1.0 - u.at.solid_volume / u.grains().domain.volume();
   tell_at_safe_place(u.observer, progress, u.state, u.results);
@@ -129,8 +134,8 @@ bool make_round(Unsaturated& u) {
   rest_fluids(u.options, u.state.network, u.state.particles, u.grains(), s, u.cache);
   const bool grains_rest = rest_grains(u.options, u.grains(), u.state.particles, s);
   u.state.time = u.at.began + s.grain_time;
-  if (grains_rest) ++u.at.round;
   const double now = totals(u.state.network, *u.cache.model, s.flow).saturation;
+  if (grains_rest) ++u.at.round;
   const bool rest = grains_rest && u.at.round > 1 && std::abs(now - u.at.saturation_before) < u.stage.saturation_change &&
                     std::abs(u.strain() - u.at.strain_before) < u.stage.strain_change;
   if (!rest && grains_rest) {
@@ -143,6 +148,72 @@ bool make_round(Unsaturated& u) {
     u.at.strain_before = u.strain();
   }
   return rest;
+}
+
+/// Fluids and network follow the grains; the run could go on from here.
+void follow(Unsaturated& u) {
+  follow_grains(u.options, u.grains(), u.state.particles, u.state.network, u.fluids(), u.cache);
+  u.state.domain = u.grains().domain;
+  u.state.saturation = saturation(u.state.network, u.fluids().flow);
+  tell_progress(u);
+}
+
+/// Rounds to rest at every pressure of the path.
+void follow_path(Unsaturated& u) {
+  while (u.at.stop < size_of(u.stops)) {
+    if (make_round(u)) {
+      // Strains are counted from rest under the first pressure.
+      if (u.at.stop == 0) u.at.start_size = u.grains().domain.size();
+      write_row(u, u.stops[to_size(u.at.stop)].branch);
+      ++u.at.stop;
+      u.at.round = 0;
+      u.fluids().settling_steps = 0;
+    }
+    follow(u);
+  }
+}
+
+/// Walls of z move at the rate of the stage; the others keep to their stress. @return time over which grains move [s]
+double move_walls(Unsaturated& u) {
+  GrainSystem& grains = u.grains();
+  const double rate = std::copysign(u.at.strain_rate, *u.stage.strain), height = grains.domain.size().z;
+  const Vec3 size = grains.domain.size();
+  for (Wall& wall : grains.walls) {
+    if (wall.face < 0) continue;
+    const int axis = axis_of(wall.face);
+    if (axis == 2) {
+      wall.target.reset();
+      wall.velocity = 0.5 * rate * height * wall.normal;
+    }
+    wall.area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+  }
+  const double left = std::abs(*u.stage.strain - u.strain());
+  return std::min(u.stage.strain_step, left) / u.at.strain_rate;
+}
+
+/// Grains move for a step of the strain, in parts where one goes far; then fluids and grains follow each other.
+void strain_once(Unsaturated& u) {
+  UnsaturatedState& s = u.fluids();
+  rest_fluids(u.options, u.state.network, u.state.particles, u.grains(), s, u.cache);
+  move_grains(u.options, move_walls(u), u.grains(), u.state.particles, s);
+  u.state.time = u.at.began + s.grain_time;
+}
+
+/// The box is strained under the last capillary pressure.
+void strain_box(Unsaturated& u) {
+  const double whole = *u.stage.strain;
+  if (u.at.strain_rows == 0) u.at.start_size = u.grains().domain.size();
+  for (;;) {
+    const double done = u.strain() / whole;
+    const bool ends = done >= 1.0 - 1e-9;
+    if (ends || done * u.c.output.history_rows >= u.at.strain_rows) {
+      write_row(u, "strain");
+      u.at.strain_rows = static_cast<int>(done * u.c.output.history_rows) + 1;
+    }
+    if (ends) return;
+    strain_once(u);
+    follow(u);
+  }
 }
 
 void tell_end(const Unsaturated& u) {
@@ -163,21 +234,8 @@ void run_unsaturated_stage(const Case& c, int index, State& state, const Observe
   Unsaturated u{c, stage, state, observer, results, at, options_of(c, stage, at.mean_radius)};
   u.stops = retention_stops({stage.path, stage.step, at.mean_radius});
   renew_cache(u.options, state.network, state.particles, u.grains().domain, u.fluids(), u.cache);
-  while (at.stop < size_of(u.stops)) {
-    const bool rest = make_round(u);
-    if (rest) {
-      // Strains are counted from rest under the first pressure.
-      if (at.stop == 0) at.start_size = u.grains().domain.size();
-      write_row(u);
-      ++at.stop;
-      at.round = 0;
-      u.fluids().settling_steps = 0;
-    }
-    follow_grains(u.options, u.grains(), state.particles, state.network, u.fluids(), u.cache);
-    state.domain = u.grains().domain;
-    state.saturation = saturation(state.network, u.fluids().flow);
-    tell_progress(u, totals(state.network, *u.cache.model, u.fluids().flow).saturation);
-  }
+  follow_path(u);
+  if (stage.strain) strain_box(u);
   release_fluid_forces(u.grains());
   describe_unsaturated(u.record(), u.fluids(), results);
   tell_end(u);

@@ -106,6 +106,10 @@ ForceSpread force_spread(const GrainSystem& grains, const UnsaturatedState& stat
   return {spread_of(std::move(sizes)), spread_of(magnitudes(state.forces.grain))};
 }
 
+double contact_deviator(const UnsaturatedRow& row) {
+  return row.contact_stress.z - 0.5 * (row.contact_stress.x + row.contact_stress.y);
+}
+
 std::optional<ChiFit> fit_chi(std::span<const UnsaturatedRow> rows, std::optional<double> UnsaturatedRow::*chi) {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   for (const UnsaturatedRow& r : rows) {
@@ -186,6 +190,15 @@ void describe_unsaturated(const UnsaturatedRecord& record, const UnsaturatedStat
         set("pendular_pc_star_" + name, regimes->pendular);
       }
     first = end;
+  }
+  const UnsaturatedRow* peak = nullptr;
+  for (const UnsaturatedRow& r : record.rows)
+    if (r.branch == "strain" && (peak == nullptr || contact_deviator(r) > contact_deviator(*peak))) peak = &r;
+  if (peak != nullptr) {
+    set("peak_q_Pa", contact_deviator(*peak));
+    set("peak_strain", peak->strain);
+    set("peak_saturation", peak->saturation);
+    set("end_q_Pa", contact_deviator(last));
   }
   set("remeshes", static_cast<double>(state.remeshes));
   set("pores_changed", static_cast<double>(state.pores_changed));

@@ -16,6 +16,9 @@ UnsaturatedRow unsaturated_row(const GrainSystem& grains, const PoreNetwork& net
 /// Sizes of the contact forces and of the fluids' forces, each over its mean.
 ForceSpread force_spread(const GrainSystem& grains, const UnsaturatedState& state);
 
+/// q of the contacts' stress, sigma'_z - (sigma'_x + sigma'_y) / 2 [Pa].
+double contact_deviator(const UnsaturatedRow& row);
+
 /// A straight line through Bishop's coefficient over saturation, by least squares, and the roots of the mean squares of what is
 /// left beside it and beside chi = S.
 struct ChiFit {

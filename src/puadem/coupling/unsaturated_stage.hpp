@@ -21,16 +21,20 @@ struct UnsaturatedStage {
   int air = 5;                                                         ///< face of its reservoir, at pressure 0
   std::array<bool, 6> water{false, false, false, false, true, false};  ///< faces of the water's reservoir
   double initial_air_fraction = 1e-6;                                  ///< of the pores at the air's face [-]
-  std::array<bool, 6> loaded{};      ///< faces whose walls move to hold `stress`; all others stand
-  std::optional<double> stress;      ///< of grains and fluids together, over the air's pressure [Pa]
-  double damping = 0.3;              ///< Cundall damping [-]
-  double unbalanced = 1e-3;          ///< force ratio at which the grains are at rest [-]
-  double saturation_change = 1e-3;   ///< of a round below which a step is at its end [-]
-  double strain_change = 1e-5;       ///< and change of the strain [-]
-  int rounds = 50;                   ///< most of a step, those not counted that end with a new network
-  double remesh_displacement = 0.1;  ///< of a grain, over the mean radius, at which a new network is made [-]
-  bool corner_films = true;          ///< water flows through the corners of open throats
-  bool snap_off = false;             ///< see `InvasionOptions::snap_off`
+  std::array<bool, 6> loaded{};  ///< faces whose walls move to hold `stress`; all others stand
+  std::optional<double> stress;  ///< of grains and fluids together, over the air's pressure [Pa]
+  // After the path the box may be shortened along z under the last pressure, as in a triaxial test.
+  std::optional<double> strain;       ///< logarithmic, negative: lengthened [-]
+  std::optional<double> strain_rate;  ///< its magnitude [1/s]; none: at the quasi-static inertial number
+  double strain_step = 5e-4;          ///< strain after which the fluids follow and come to rest [-]
+  double damping = 0.3;               ///< Cundall damping [-]
+  double unbalanced = 1e-3;           ///< force ratio at which the grains are at rest [-]
+  double saturation_change = 1e-3;    ///< of a round below which a step is at its end [-]
+  double strain_change = 1e-5;        ///< and change of the strain [-]
+  int rounds = 50;                    ///< most of a step, those not counted that end with a new network
+  double remesh_displacement = 0.1;   ///< of a grain, over the mean radius, at which a new network is made [-]
+  bool corner_films = true;           ///< water flows through the corners of open throats
+  bool snap_off = false;              ///< see `InvasionOptions::snap_off`
   AnyRetentionLaw retention_law = ExponentialRetention{};
 
   bool is_loaded() const {

@@ -77,6 +77,20 @@ double sum_of(std::span<const double> values) {
   return sum.value();
 }
 
+/// Has a grain moved so far that the network must be made anew?
+bool have_gone_far(const UnsaturatedOptions& options, const GrainSystem& grains, Particles& particles,
+                   const UnsaturatedState& state) {
+  collect(grains, particles);
+  return largest_displacement(state.place, followed_centres(state.place, particles, grains.domain)) > options.remesh_displacement;
+}
+
+void advance(long steps, GrainSystem& grains, UnsaturatedState& state) {
+  advance_grains(grains, steps);
+  guard_walls(grains);
+  state.grain_steps += steps;
+  state.grain_time += static_cast<double>(steps) * grains.time_step;
+}
+
 }  // namespace
 
 void renew_cache(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, const Domain& domain,
@@ -114,16 +128,22 @@ bool rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particl
            "step {}: the grains do not come to rest at a capillary pressure of {:.4g} Pa within {} steps; their unbalanced force "
            "ratio is {:.3g}",
            grains.steps, state.capillary_pressure, state.settling_steps, m.unbalanced);
-    collect(grains, particles);
-    const double gone = largest_displacement(state.place, followed_centres(state.place, particles, grains.domain));
-    if (step > 0 && gone > options.remesh_displacement) return false;
+    if (step > 0 && have_gone_far(options, grains, particles, state)) return false;
     renew_time_step(grains);
-    advance_grains(grains, check_interval);
-    guard_walls(grains);
-    state.grain_steps += check_interval;
+    advance(check_interval, grains, state);
     state.settling_steps += check_interval;
-    state.grain_time += static_cast<double>(check_interval) * grains.time_step;
   }
+}
+
+void move_grains(const UnsaturatedOptions& options, double duration, GrainSystem& grains, Particles& particles,
+                 UnsaturatedState& state) {
+  const double end = state.grain_time + duration;
+  evaluate_forces(grains);
+  do {
+    renew_time_step(grains);
+    const auto steps = static_cast<long>(std::ceil((end - state.grain_time) / grains.time_step * (1.0 - 1e-9)));
+    advance(std::clamp(steps, 1L, check_interval), grains, state);
+  } while (state.grain_time < end * (1.0 - 1e-12) && !have_gone_far(options, grains, particles, state));
 }
 
 void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, PoreNetwork& network,

@@ -60,6 +60,10 @@ UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const Pore
 /// @throws NumericalError  where they do not come to rest at one capillary pressure
 bool rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, UnsaturatedState& state);
 
+/// Grains move under the same forces while walls do, for a time [s] or until one has gone as far as calls for a new network.
+void move_grains(const UnsaturatedOptions& options, double duration, GrainSystem& grains, Particles& particles,
+                 UnsaturatedState& state);
+
 /// The fluids follow the grains: every pore's change of volume is passed on, then the network has its new geometry, or is
 /// made anew where grains went too far.
 void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, PoreNetwork& network,

@@ -28,6 +28,13 @@ void check_unsaturated_stage(const UnsaturatedStage& s, const TomlValue& tree, i
   }
   if (s.is_loaded() != s.stress.has_value())
     error(s.stress ? "stress" : "loaded", ".loaded and .stress go together: give both or none");
+  if (s.strain) {
+    for (const int face : {4, 5}) need_wall("strain", face);
+    if (!s.stress) error("strain", ".strain needs loaded faces and their stress: those beside z that hold it");
+    if (*s.strain == 0.0) error("strain", ".strain must not be 0");
+  }
+  for (const char* key : {"strain_rate", "strain_step"})
+    if (!s.strain && tree.find(key) != nullptr) error(key, fmt::format(".{} is used with strain only; remove it", key));
   for (std::size_t i = 1; i < s.path.size(); ++i)
     if (s.path[i] == s.path[i - 1]) error("path", ".path: a pressure must differ from the one before it");
   double span = 0.0;

@@ -44,6 +44,19 @@ void add_load(Fields& fields) {
                                           "of grains and fluids together on the loaded faces, over the pressure of the air"),
                                  "required with loaded"),
                            &S::stress));
+  fields.push_back(bind<S>(
+      noted(number("strain", {},
+                   "logarithmic strain along z to reach after the path, under its last pressure; the walls of z then move",
+                   between(-0.5, 0.5)),
+            "none after the path"),
+      &S::strain));
+  fields.push_back(
+      bind<S>(noted(quantity("strain_rate", "1/s", above(0), {}, R"("1 1/s")", "its magnitude"), "at an inertial number of 5e-4"),
+              &S::strain_rate));
+  fields.push_back(bind<S>(
+      number("strain_step", above(0), "strain after which the fluids follow the grains and come to rest", between(1e-6, 1e-2)),
+      &S::strain_step));
+  fields.back().write = [write = fields.back().write](const S& s) { return s.strain ? write(s) : std::string(); };
   fields.push_back(
       bind<S>(number("damping", Interval{0, 1, false, true}, "Cundall damping of the grains", between(0, 0.7)), &S::damping));
 }

@@ -163,6 +163,7 @@ void describe(const UnsaturatedStage& stage, Walk& w) {
   const auto stops = stage.path.empty() ? std::vector<RetentionStop>{} : retention_stops({stage.path, stage.step, 1.0});
   std::string text = points_text(stage.path);
   if (stage.stress) text += fmt::format(", {} on the loaded walls", show(*stage.stress, "Pa"));
+  if (stage.strain) text += fmt::format(", then to a strain of {} along z", *stage.strain);
   add_stage(w.summary, w.number, fmt::format("{} {}, {} equilibria", UnsaturatedStage::kind, text, stops.size()));
   w.equilibria += size_of(stops);
   if (!stage.stress) return;

@@ -10,6 +10,22 @@ namespace puadem {
 
 namespace {
 
+constexpr int picture_width = 240;       // pixels
+constexpr double picture_change = 0.15;  // of saturation, after which another picture is worth its place
+constexpr int most_pictures = 6;         // of a stage
+
+void take_picture(ResultsFolder& folder, const State& state, const UnsaturatedRow& row) {
+  auto& pictures = folder.unsaturated_pictures;
+  const auto is_of_stage = [&](const UnsaturatedPicture& p) { return p.stage == row.stage; };
+  if (std::ranges::count_if(pictures, is_of_stage) >= most_pictures) return;
+  const bool is_first = pictures.empty() || !is_of_stage(pictures.back());
+  if (!is_first && std::abs(pictures.back().saturation - row.saturation) < picture_change) return;
+  const SectionMap map = cut_section(state, picture_width);
+  if (map.planes > 1) return;  // seen through its thickness, a box has no plane to draw grains in
+  pictures.push_back({row.stage, row.saturation, row.pc_star, map.axis, map.columns, map.rows, map.pixel,
+                      section_picture(map, state.saturation), cut_grains(state, map, state.unsaturated->forces.grain)});
+}
+
 /// A state at rest: every such one, as the equilibria of a retention stage.
 void record_unsaturated(ResultsFolder& folder, const Case& c, const State& state, const UnsaturatedRow& row) {
   AppendFile& rows = series(folder, folder.unsaturated, "unsaturated.csv", unsaturated_header);
@@ -18,6 +34,7 @@ void record_unsaturated(ResultsFolder& folder, const Case& c, const State& state
   folder.has_result = true;
   record_message(folder, fmt::format("{}: {}: p_c = {:.6g} Pa, S = {:.6f}, strain {:.4g}, {} rounds", row.stage, row.branch,
                                      row.capillary_pressure, row.saturation, row.strain, row.rounds));
+  take_picture(folder, state, row);
   const int equilibrium = folder.equilibria++;
   if (!c.output.fields || equilibrium % std::max(c.output.fields_every, 1) != 0) return;
   const double time = equilibrium;

@@ -28,7 +28,7 @@ json regimes_json(std::span<const Row> branch) {
   return {{"air_entry", regimes->air_entry}, {"pendular", regimes->pendular}};
 }
 
-json branch_json(std::span<const Row> branch, int axis, double first_total) {
+json branch_json(std::span<const Row> branch) {
   return {{"name", branch.front().branch},
           {"fit", fit_json(branch)},
           {"regimes", regimes_json(branch)},
@@ -39,13 +39,33 @@ json branch_json(std::span<const Row> branch, int axis, double first_total) {
           {"volume_strain", column(branch, &Row::volume_strain)},
           {"chi_contact", column(branch, &Row::chi_contact)},
           {"chi_fluid", column(branch, &Row::chi_fluid)},
-          {"effective", column(branch, [&](const Row& r) { return r.contact_stress[axis] - first_total; })},
+          {"deviator", column(branch, contact_deviator)},
+          {"contact_mean",
+           column(branch, [](const Row& r) { return (r.contact_stress.x + r.contact_stress.y + r.contact_stress.z) / 3.0; })},
           {"force_ratio", column(branch, &Row::mean_force_ratio)},
           {"contact_anisotropy", column(branch, &Row::contact_anisotropy)},
           {"capillary_anisotropy", column(branch, &Row::capillary_anisotropy)},
           {"pressure_force", column(branch, &Row::pressure_force)},
           {"tension_force", column(branch, &Row::tension_force)},
           {"capillary_force", column(branch, &Row::capillary_force)}};
+}
+
+json pictures_json(const ResultsFolder& folder, const std::string& stage) {
+  json pictures = json::array();
+  for (const UnsaturatedPicture& p : folder.unsaturated_pictures)
+    if (p.stage == stage)
+      pictures.push_back({{"saturation", p.saturation},
+                          {"pc_star", p.pc_star},
+                          {"axis", std::string(1, "xyz"[p.axis])},
+                          {"columns", p.columns},
+                          {"rows", p.rows},
+                          {"pixel", p.pixel},
+                          {"picture", p.bytes},
+                          {"across", column(p.grains, &CutGrain::across)},
+                          {"up", column(p.grains, &CutGrain::up)},
+                          {"force_across", column(p.grains, &CutGrain::force_across)},
+                          {"force_up", column(p.grains, &CutGrain::force_up)}});
+  return pictures;
 }
 
 /// Spreads at full saturation, in the middle and at the end of the first branch.
@@ -67,7 +87,7 @@ json spreads_json(const UnsaturatedRecord& record, std::size_t end) {
 
 }  // namespace
 
-json unsaturated_json(const State& state) {
+json unsaturated_json(const ResultsFolder& folder, const State& state) {
   json stages = json::array();
   for (const UnsaturatedRecord& record : state.unsaturated_flows) {
     const std::span<const Row> rows(record.rows);
@@ -78,13 +98,14 @@ json unsaturated_json(const State& state) {
       std::size_t end = first;
       while (end < rows.size() && rows[end].branch == rows[first].branch) ++end;
       if (first == 0) first_end = end;
-      branches.push_back(branch_json(rows.subspan(first, end - first), record.axis, rows.front().total_stress));
+      branches.push_back(branch_json(rows.subspan(first, end - first)));
       first = end;
     }
     stages.push_back({{"name", record.stage},
                       {"axis", std::string(1, "xyz"[record.axis])},
                       {"width", ForceSpread::width},
                       {"branches", std::move(branches)},
+                      {"pictures", pictures_json(folder, record.stage)},
                       {"spreads", spreads_json(record, first_end)}});
   }
   return stages;
@@ -104,6 +125,12 @@ json unsaturated_rows(const UnsaturatedStage& s) {
                            {"Air enters at", std::string(face_names[to_size(s.air)])},
                            {"Water leaves at", faces(s.water)}});
   if (s.stress) rows.push_back({"Loaded", fmt::format("{}, {}", faces(s.loaded), in_print(*s.stress, "Pa"))});
+  if (s.strain) {
+    rows.push_back({"Strain along z after the path", fmt::format("{:.4g}", *s.strain)});
+    rows.push_back(
+        {"Rate of strain", s.strain_rate ? fmt::format("{:.4g} 1/s", *s.strain_rate) : "quasi-static, inertial number 5 × 10⁻⁴"});
+    rows.push_back({"Fluids follow after a strain of", fmt::format("{:.4g}", s.strain_step)});
+  }
   rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
   rows.push_back({"Grains at rest below an unbalanced force of", fmt::format("{:.4g}", s.unbalanced)});
   rows.push_back(

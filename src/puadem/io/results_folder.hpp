@@ -22,6 +22,17 @@ struct FlowPicture {
   std::string bytes;        ///< see section_picture
 };
 
+/// The same at a row of a stage "unsaturated-flow", with the grains in the section.
+struct UnsaturatedPicture {
+  std::string stage;
+  double saturation = 1.0;  ///< of the whole [-]
+  double pc_star = 0.0;     ///< p_c <r> / gamma [-]
+  int axis = 2, columns = 0, rows = 0;
+  double pixel = 0.0;  ///< [m]
+  std::string bytes;   ///< see section_picture
+  std::vector<CutGrain> grains;
+};
+
 /// What a recording must remember to go on from a checkpoint.
 struct RecordingMemory {
   std::vector<std::string> warnings;  ///< messages that begin with "warning: ", without that word
@@ -36,6 +47,7 @@ struct RecordingMemory {
   int fields_written = 0;     ///< sets of files of that stage
   long flow_events_seen = 0;
   std::vector<FlowPicture> pictures;
+  std::vector<UnsaturatedPicture> unsaturated_pictures;
   std::string last_stage;
   int checkpoints = 0;                ///< written so far
   std::vector<std::string> files;     ///< the series below the folder; empty: not begun

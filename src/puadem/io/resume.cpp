@@ -26,6 +26,20 @@ void fields(auto& a, Is<VtkFrame> auto& frame) {
   each(a, "time file", time, file);
 }
 
+template <>
+inline constexpr bool is_row<CutGrain> = true;
+
+void fields(auto& a, Is<CutGrain> auto& grain) {
+  auto& [across, up, radius, force_across, force_up] = grain;
+  each(a, "across up radius force_across force_up", across, up, radius, force_across, force_up);
+}
+
+void fields(auto& a, Is<UnsaturatedPicture> auto& picture) {
+  auto& [stage, saturation, pc_star, axis, columns, rows, pixel, bytes, grains] = picture;
+  each(a, "stage saturation pc_star axis columns rows pixel bytes grains", stage, saturation, pc_star, axis, columns, rows, pixel,
+       bytes, grains);
+}
+
 void fields(auto& a, Is<FlowPicture> auto& picture) {
   auto& [stage, time, saturation, bytes] = picture;
   each(a, "stage time saturation bytes", stage, time, saturation, bytes);
@@ -34,13 +48,13 @@ void fields(auto& a, Is<FlowPicture> auto& picture) {
 void fields(auto& a, Is<RecordingMemory> auto& memory) {
   auto& [warnings, wall_time_before, started_utc, has_result, grain_frames, contact_frames, pore_frames, throat_frames,
          flow_pore_frames, flow_throat_frames, has_distributions, equilibria, events_seen, history_stage, fields_written,
-         flow_events_seen, pictures, last_stage, checkpoints, files, lengths] = memory;
+         flow_events_seen, pictures, unsaturated_pictures, last_stage, checkpoints, files, lengths] = memory;
   each(a, "warnings wall_time_before started_utc has_result grain_frames contact_frames pore_frames throat_frames", warnings,
        wall_time_before, started_utc, has_result, grain_frames, contact_frames, pore_frames, throat_frames);
   each(a, "flow_pore_frames flow_throat_frames has_distributions equilibria events_seen history_stage fields_written",
        flow_pore_frames, flow_throat_frames, has_distributions, equilibria, events_seen, history_stage, fields_written);
-  each(a, "flow_events_seen pictures last_stage checkpoints files lengths", flow_events_seen, pictures, last_stage, checkpoints,
-       files, lengths);
+  each(a, "flow_events_seen pictures unsaturated_pictures last_stage checkpoints files lengths", flow_events_seen, pictures,
+       unsaturated_pictures, last_stage, checkpoints, files, lengths);
 }
 
 namespace {

@@ -343,9 +343,12 @@ void fields(auto& a, Is<SaturatedProgress> auto& at) {
 }
 
 void fields(auto& a, Is<UnsaturatedProgress> auto& at) {
-  auto& [began, mean_radius, solid_volume, first_force, start_size, stop, round, saturation_before, strain_before] = at;
-  each(a, "began mean_radius solid_volume first_force start_size stop round saturation_before strain_before", began, mean_radius,
-       solid_volume, first_force, start_size, stop, round, saturation_before, strain_before);
+  auto& [began, mean_radius, solid_volume, first_force, start_size, stop, round, strain_rate, strain_rows, saturation_before,
+         strain_before] = at;
+  each(a,
+       "began mean_radius solid_volume first_force start_size stop round strain_rate strain_rows saturation_before strain_before",
+       began, mean_radius, solid_volume, first_force, start_size, stop, round, strain_rate, strain_rows, saturation_before,
+       strain_before);
 }
 
 void fields(auto& a, Is<RunPosition> auto& position) {
