@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "puadem/base/error.hpp"
+#include "puadem/coupling/checked_network.hpp"
 #include "puadem/coupling/run.hpp"
 #include "puadem/coupling/unsaturated_results.hpp"
 
@@ -97,8 +98,87 @@ TEST(UnsaturatedStage, FullOfWaterBishopsCoefficientIsOne) {
   run(c, state, {});
   for (const UnsaturatedRow& r : state.unsaturated_flows.back().rows) {
     EXPECT_NEAR(r.saturation, 1.0, 1e-9);
-    if (r.chi_fluid) EXPECT_NEAR(*r.chi_fluid, 1.0, 1e-9);
+    EXPECT_NEAR(r.chi_fluid.value_or(1.0), 1.0, 1e-9);
   }
+}
+
+TEST(UnsaturatedStage, GrainsThatDoNotYieldGiveTheCurveOfGrainsThatStand) {
+  Case c = bed(0.0);
+  c.materials[0].youngs_modulus = 1.5e9;
+  UnsaturatedStage stage = drying();
+  stage.loaded = {};
+  stage.stress.reset();
+  stage.step = 275.0;
+  State still;
+  run(c, still, {});
+  const PoreNetwork network = checked_network(c, still, {});
+  FlowBoundary air, water;
+  air.name = "top";
+  air.fluid = FluidPhase::nonwetting;
+  air.pores = face_pores(network, 5);
+  air.initial_gas_fraction = stage.initial_air_fraction;
+  water.name = "bottom";
+  water.pores = face_pores(network, 4);
+  air.schedule = water.schedule = Schedule::constant(0.0);
+  TwoPhaseOptions options;
+  options.gas = GasKind::connected;
+  options.touching_first = true;
+  TwoPhaseModel model =
+      make_two_phase_model(network, c.fluids, options, {air, water},
+                           throat_films(network, PackingSites(still.particles.position, still.particles.radius, still.domain),
+                                        c.fluids.contact_angle));
+  TwoPhaseState flow = start_two_phase(network, model);
+  RestCriterion rest;
+  rest.saturation_change = 1e-5;
+
+  c.stages.emplace_back(stage);
+  State state;
+  run(c, state, {});
+  for (const UnsaturatedRow& row : state.unsaturated_flows.back().rows) {
+    SCOPED_TRACE(row.branch + " " + std::to_string(row.capillary_pressure));
+    model.boundaries[1].schedule = Schedule::constant(-row.capillary_pressure);
+    equilibrate_two_phase(network, model, rest, flow);
+    EXPECT_NEAR(row.saturation, totals(network, model, flow).saturation, 2e-3);
+    EXPECT_LT(std::abs(row.strain), 1e-12);
+  }
+}
+
+TEST(UnsaturatedStage, ABoxIsStrainedUnderItsSuction) {
+  Case c = bed(0.2);
+  c.domain.periodic = {false, false, false};
+  c.domain.shape = {1, 1, 2};
+  c.grains.count = 250;
+  c.output.history_rows = 10;
+  double strength[2];
+  for (const double suction : {0.0, 1500.0}) {
+    Case test = c;
+    UnsaturatedStage stage = drying();
+    stage.path = {0.0, std::max(suction, 1.0)};
+    stage.step = 500.0;
+    stage.loaded = {true, true, true, true, true, true};
+    stage.stress = 10e3;
+    stage.strain = 0.02;
+    stage.strain_rate = 5.0;
+    stage.strain_step = 2e-3;
+    test.stages.emplace_back(stage);
+    State state;
+    const RunResults results = run(test, state, {});
+    const auto& rows = state.unsaturated_flows.back().rows;
+    EXPECT_NEAR(rows.back().strain, 0.02, 1e-5);
+    EXPECT_EQ(rows.back().branch, "strain");
+    long strained = 0;
+    for (const UnsaturatedRow& r : rows) {
+      EXPECT_LT(std::abs(r.wetting_error), 1e-9);
+      EXPECT_LT(std::abs(r.nonwetting_error), 1e-9);
+      if (r.branch != "strain") continue;
+      ++strained;
+      // The side walls hold their stress.
+      EXPECT_NEAR(r.contact_stress.x + r.fluid_stress.x, 10e3, 1.5e3);
+    }
+    EXPECT_EQ(strained, 11);
+    strength[suction > 0.0] = results.scalars.at("unsaturated-flow_peak_q_Pa");
+  }
+  EXPECT_GT(strength[1], strength[0]) << "suction makes the packing stronger";
 }
 
 TEST(UnsaturatedStage, BranchesOfOneSaturationHaveNoFit) {

@@ -9,6 +9,7 @@
 
 #include "puadem/base/random.hpp"
 #include "puadem/coupling/fluid_transfer.hpp"
+#include "puadem/coupling/vanishing_pores.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/stress.hpp"
 #include "puadem/network/network_geometry.hpp"
@@ -213,6 +214,34 @@ TEST(CarryFluids, KeepsBothFluidsThoughCellsHaveTurnedInsideOut) {
     cells += bed.state.cells_renewed;
   }
   EXPECT_GT(cells, 1000);
+}
+
+TEST(VanishingPores, BorrowRoomFromANeighbourAndGiveItBack) {
+  Bed bed;
+  bed.drain();
+  const TwoPhaseState before = bed.state.flow;
+  std::vector<double> volume = bed.network.pore_volume;
+  const auto counted = std::ranges::find_if(bed.model().is_reservoir, [](auto r) { return !r; });
+  const auto gone = to_size(static_cast<int>(counted - bed.model().is_reservoir.begin()) + 5);
+  ASSERT_TRUE(bed.model().is_counted(static_cast<int>(gone)));
+  volume[gone] = -0.1 * bed.network.pore_volume[gone];
+  const std::vector<double> asked = volume;
+  const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+  const auto borrowed = borrow_room(bed.network, bed.model(), bed.state.flow, volume);
+  ASSERT_EQ(borrowed.size(), 1u);
+  EXPECT_EQ(borrowed[0].pore, static_cast<int>(gone));
+  EXPECT_NEAR(volume[gone], 0.02 * bed.network.pore_volume[gone], 1e-12 * bed.network.pore_volume[gone]);
+  EXPECT_NEAR(sum(volume), sum(asked), 1e-12 * sum(asked));
+  TwoPhaseState flow = before;
+  for (std::size_t p = 0; p < volume.size(); ++p) flow.wetting_volume[p] *= volume[p] / bed.network.pore_volume[p];
+  const double water = sum(flow.wetting_volume);
+  give_back_room(borrowed, volume, flow);
+  const auto from = to_size(borrowed[0].from);
+  EXPECT_NEAR(volume[gone], asked[gone], 1e-12 * bed.network.pore_volume[gone]);
+  EXPECT_NEAR(volume[from], asked[from], 1e-12 * asked[from]);
+  EXPECT_NEAR(sum(flow.wetting_volume), water, 1e-12 * water);
+  EXPECT_NEAR(flow.wetting_volume[gone] / volume[gone], flow.wetting_volume[from] / volume[from], 1e-12);
+  EXPECT_LE(flow.wetting_volume[from], volume[from] * (1.0 + 1e-12));
 }
 
 TEST(UnsaturatedRound, FluidsFollowGrainsAndTheBooksClose) {

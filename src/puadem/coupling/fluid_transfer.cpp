@@ -37,18 +37,13 @@ int same_pore(const Transfer& t, int pore) {
   return std::ranges::all_of(cells, [&](int c) { return t.former_pore(c) == former; }) ? former : -1;
 }
 
-/// Water of each cell before: its share of its pore's void, all or nothing in a reservoir. A cell of less than no void, one
+/// Water of each cell before: its share of its pore's void. A cell of less than no void, as one
 /// that has turned inside out, takes away from the cavity it lies in as much as that holds in its place: neither that nor the
 /// rest of the cell's pore gets fuller than full by it.
 void share_by_cells(Transfer& t) {
   const auto pore_of = [&](std::size_t cell) { return to_size(t.before.tetrahedron_pore[cell]); };
-  std::vector<double> water(to_size(t.before.pores()), 0.0), space = water;
+  std::vector<double> water = t.state.wetting_volume, space(water.size(), 0.0);
   for (std::size_t c = 0; c < t.cell_void.size(); ++c) space[pore_of(c)] += t.cell_void[c];
-  for (int p = 0; p < t.before.pores(); ++p) {
-    const auto i = to_size(p);
-    const double in_reservoir = t.state.nonwetting.holds[i] ? 0.0 : space[i];
-    water[i] = t.former.is_counted(p) ? t.state.wetting_volume[i] : in_reservoir;
-  }
   t.water_before.resize(t.cell_void.size());
   const auto share = [&](std::size_t c) { return water[pore_of(c)] / space[pore_of(c)] * t.cell_void[c]; };
   for (std::size_t c = 0; c < t.cell_void.size(); ++c) t.water_before[c] = share(c);
@@ -60,9 +55,11 @@ void share_by_cells(Transfer& t) {
       held += t.water_before[to_size(c)];
       room += t.cell_void[to_size(c)];
     }
+    if (!(room > 0.0)) continue;  // grains that poke through facets leave cells of less than nothing, all at once
     for (const int cell : t.now.match.vanished[cavity]) {
       const auto c = to_size(cell);
-      if (t.cell_void[c] >= 0.0) continue;
+      // A pore of nothing but such cells has nowhere else to keep its water.
+      if (t.cell_void[c] >= 0.0 || space[pore_of(c)] <= t.cell_void[c]) continue;
       t.water_before[c] = held / room * t.cell_void[c];
       water[pore_of(c)] -= t.water_before[c];
       space[pore_of(c)] -= t.cell_void[c];
@@ -215,6 +212,11 @@ void book_exchange(const Transfer& t, TwoPhaseState& next) {
 
 std::vector<int> fluid_kinds(const TwoPhaseState& state) {
   return {state.nonwetting.holds.begin(), state.nonwetting.holds.end()};
+}
+
+void fill_reservoirs(const TwoPhaseModel& model, std::span<const double> volume, TwoPhaseState& state) {
+  for (int p = 0; p < size_of(volume); ++p)
+    if (!model.is_counted(p)) state.wetting_volume[to_size(p)] = state.nonwetting.holds[to_size(p)] ? 0.0 : volume[to_size(p)];
 }
 
 TwoPhaseState carry_fluids(const PoreNetwork& before, std::span<const double> cell_void, const TwoPhaseModel& former_model,

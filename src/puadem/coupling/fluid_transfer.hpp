@@ -11,10 +11,14 @@ namespace puadem {
 /// What fluids make of pores that must not merge: 1 where a pore holds gas, 0 where it is full of water.
 std::vector<int> fluid_kinds(const TwoPhaseState& state);
 
+/// Reservoirs are full of their fluid, whatever volume their pores have now [m3].
+void fill_reservoirs(const TwoPhaseModel& model, std::span<const double> volume, TwoPhaseState& state);
+
 /// Brings two fluids into a network made anew for the same places of the grains (theory 7.6): water goes with its cells, and
 /// within a cavity in equal shares of the void, so that nothing is lost and no pore is fuller than full. Throats that stand
 /// stay open or closed, new ones between gas are open. What cells take along that join or leave a reservoir is booked.
 ///
+/// @pre reservoirs of `state` are full
 /// @param cell_void  per cell before, at the present places [m3]
 /// @param model      of the network made anew
 /// @param changed    if not null, counts the pores whose saturation has changed by more than 0.01 by merging

@@ -173,7 +173,8 @@ void follow_path(Unsaturated& u) {
   }
 }
 
-/// Walls of z move at the rate of the stage; the others keep to their stress. @return time over which grains move [s]
+/// The upper wall of z moves at the rate of the stage, the lower stands, the others keep to their stress.
+/// @return time over which grains move [s]
 double move_walls(Unsaturated& u) {
   GrainSystem& grains = u.grains();
   const double rate = std::copysign(u.at.strain_rate, *u.stage.strain), height = grains.domain.size().z;
@@ -183,10 +184,11 @@ double move_walls(Unsaturated& u) {
     const int axis = axis_of(wall.face);
     if (axis == 2) {
       wall.target.reset();
-      wall.velocity = 0.5 * rate * height * wall.normal;
+      wall.velocity = {};
     }
     wall.area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
   }
+  set_box_rate(grains, {0.0, 0.0, -rate * height});
   const double left = std::abs(*u.stage.strain - u.strain());
   return std::min(u.stage.strain_step, left) / u.at.strain_rate;
 }
@@ -236,6 +238,7 @@ void run_unsaturated_stage(const Case& c, int index, State& state, const Observe
   renew_cache(u.options, state.network, state.particles, u.grains().domain, u.fluids(), u.cache);
   follow_path(u);
   if (stage.strain) strain_box(u);
+  set_box_rate(u.grains(), {});
   release_fluid_forces(u.grains());
   describe_unsaturated(u.record(), u.fluids(), results);
   tell_end(u);

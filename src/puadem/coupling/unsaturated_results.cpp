@@ -15,6 +15,8 @@ namespace puadem {
 
 namespace {
 
+constexpr double worth_a_direction = 1e-6;  // of the mean contact force: less is rounding
+
 /// Densities of sizes over their mean in classes of `ForceSpread::width`, up to the largest.
 std::vector<double> spread_of(std::vector<double> sizes) {
   double sum = 0.0, largest = 0.0;
@@ -86,7 +88,7 @@ UnsaturatedRow unsaturated_row(const GrainSystem& grains, const PoreNetwork& net
   row.coordination = contacts.coordination;
   row.contact_anisotropy = contacts.deviatoric;
   const ForceFabric capillary = force_fabric(state.forces.grain);
-  row.capillary_anisotropy = capillary.anisotropy;
+  if (capillary.mean > worth_a_direction * contacts.mean_force) row.capillary_anisotropy = capillary.anisotropy;
   row.capillary_force = capillary.mean;
   std::vector<Vec3> solid = state.forces.grain;
   for (std::size_t k = 0; k < solid.size(); ++k) solid[k] -= state.tension[k];

@@ -64,7 +64,7 @@ struct UnsaturatedRow {
   std::array<bool, 3> chains_span{};                       ///< do they join opposite sides of the box along x, y, z?
   double coordination = 0.0;                               ///< contacts of a grain, walls included [-]
   double contact_anisotropy = 0.0;                         ///< of contact normals, theory 2.17 [-]
-  double capillary_anisotropy = 0.0;                       ///< of the fluids' forces on the grains, theory 7.8 [-]
+  std::optional<double> capillary_anisotropy;              ///< of the fluids' forces on the grains, theory 7.8 [-]
   double capillary_force = 0.0;                            ///< their mean magnitude [N]
   double pressure_force = 0.0;                             ///< of the part that pressures on the solid make [N]
   double tension_force = 0.0;                              ///< of the part that menisci in throats make [N]

@@ -6,6 +6,7 @@
 #include "puadem/base/compensated_sum.hpp"
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/fluid_transfer.hpp"
+#include "puadem/coupling/vanishing_pores.hpp"
 #include "puadem/coupling/wall_guard.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/stress.hpp"
@@ -151,24 +152,29 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
   collect(grains, particles);
   const Domain& domain = grains.domain;
   const std::vector<Vec3> centre = followed_centres(state.place, particles, domain);
-  const MovedVoids voids = moved_voids(network, state.place, centre, particles.radius, domain);
-  const auto narrowest = std::ranges::min_element(voids.pore);
-  const int pore = static_cast<int>(narrowest - voids.pore.begin());
-  const Vec3& at = network.pore_centre[to_size(pore)];
-  ensure(*narrowest > 0.0,
-         "step {}: pore {} at ({:g}, {:g}, {:g}) m has vanished between its grains, it has {:.3g} m3 left; a smaller "
-         "remesh_displacement or step of the capillary pressure helps",
-         grains.steps, pore, at.x, at.y, at.z, *narrowest);
+  MovedVoids voids = moved_voids(network, state.place, centre, particles.radius, domain);
+  const std::vector<BorrowedRoom> borrowed = borrow_room(network, *cache.model, state.flow, voids.pore);
+  if (!borrowed.empty() && borrowed.back().from < 0) {
+    const int pore = borrowed.back().pore;
+    const Vec3& at = network.pore_centre[to_size(pore)];
+    ensure(
+        false,
+        "step {}: pore {} at ({:g}, {:g}, {:g}) m has vanished between its grains, it has {:.3g} m3 left and no neighbour with "
+        "room; a smaller remesh_displacement or step of the capillary pressure helps",
+        grains.steps, pore, at.x, at.y, at.z, voids.pore[to_size(pore)]);
+  }
 
   const double time = slow * cache.model->time_scale;
   std::vector<double> rate(voids.pore.size());
   for (std::size_t p = 0; p < rate.size(); ++p) rate[p] = (voids.pore[p] - network.pore_volume[p]) / time;
   state.flow.time_step = time;
   state.fluid_steps += advance_two_phase(network, *cache.model, time, rate, state.flow).steps;
+  give_back_room(borrowed, voids.pore, state.flow);
+  fill_reservoirs(*cache.model, voids.pore, state.flow);
 
   const double strain = std::abs(sum_of(voids.pore) / state.void_listed - 1.0);
-  const bool is_deformed =
-      voids.inverted >= 0 || strain > largest_strain || largest_displacement(state.place, centre) > options.remesh_displacement;
+  const bool is_deformed = voids.inverted >= 0 || !borrowed.empty() || strain > largest_strain ||
+                           largest_displacement(state.place, centre) > options.remesh_displacement;
   if (is_deformed) {
     const std::vector<int> kinds = fluid_kinds(state.flow);
     network.pore_volume = voids.pore;

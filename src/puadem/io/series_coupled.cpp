@@ -26,8 +26,9 @@ std::string unsaturated_line(const UnsaturatedRow& r) {
   std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", r.stage, r.branch, r.capillary_pressure,
                                  r.pc_star, r.saturation, r.strain, r.volume_strain, r.porosity, r.total_stress, s.x, s.y, s.z,
                                  f.x, f.y, f.z, text_of(r.chi_contact), text_of(r.chi_fluid));
-  line += fmt::format(",{},{},{},{},{},{},{},{},{},{}", r.mean_force, r.mean_force_ratio, r.strong_share, spans, r.coordination,
-                      r.contact_anisotropy, r.capillary_anisotropy, r.capillary_force, r.pressure_force, r.tension_force);
+  line +=
+      fmt::format(",{},{},{},{},{},{},{},{},{},{}", r.mean_force, r.mean_force_ratio, r.strong_share, spans, r.coordination,
+                  r.contact_anisotropy, text_of(r.capillary_anisotropy), r.capillary_force, r.pressure_force, r.tension_force);
   return line + fmt::format(",{},{},{},{},{},{},{}\n", r.trapped_wetting, r.trapped_nonwetting, r.wetting_error,
                             r.nonwetting_error, r.rounds, r.remeshes, r.pores_changed);
 }

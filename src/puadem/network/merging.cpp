@@ -80,6 +80,7 @@ class Merger {
     const double mean = std::accumulate(cell_void.begin(), cell_void.end(), 0.0) / std::max(cells, 1);
     ensure(mean > 0.0, "the packing has no void at all: the grains overlap too far");
     nil_volume_ = 1e-9 * mean;
+    small_volume_ = 0.05 * mean;
     for (int c = 0; c < cells; ++c) {
       update_radius(c);
       forced_ += is_nil(c);
@@ -140,7 +141,17 @@ class Merger {
         merge_over(f);
   }
 
-  bool may_merge(int u, int v) const { return kind_.empty() || kind_[to_size(u)] == kind_[to_size(v)]; }
+  /// A unit too small to be a pore of its own does not hold back: it joins one of a higher kind.
+  bool may_merge(int u, int v) const {
+    if (kind_.empty() || kind_[to_size(u)] == kind_[to_size(v)]) return true;
+    const int lower = kind_[to_size(u)] < kind_[to_size(v)] ? u : v;
+    return units_.volume[to_size(lower)] < small_volume_;
+  }
+
+  int joined_kind(int keep, int gone) const {
+    const int a = kind_[to_size(keep)], b = kind_[to_size(gone)];
+    return is_nil(keep) ? b : is_nil(gone) ? a : std::max(a, b);
+  }
 
   bool is_nil(int u) const { return units_.volume[to_size(u)] <= nil_volume_; }
 
@@ -212,7 +223,7 @@ class Merger {
       for (std::size_t k = 0; k < 3; ++k)
         units_.cell_shift[to_size(c)][k] = static_cast<std::int8_t>(units_.cell_shift[to_size(c)][k] + move[k]);
     }
-    if (!kind_.empty() && is_nil(keep)) kind_[to_size(keep)] = kind_[to_size(gone)];
+    if (!kind_.empty()) kind_[to_size(keep)] = joined_kind(keep, gone);
     units_.next_cell[to_size(units_.last_cell[to_size(keep)])] = gone;
     units_.last_cell[to_size(keep)] = units_.last_cell[to_size(gone)];
     units_.cells[to_size(keep)] += units_.cells[to_size(gone)];
@@ -262,7 +273,7 @@ class Merger {
   std::span<const double> wide_, void_area_;
   MergeOptions options_;
   std::vector<int> kind_;  // of each unit
-  double nil_volume_ = 0.0;
+  double nil_volume_ = 0.0, small_volume_ = 0.0;
   int forced_ = 0;
   std::vector<Worst> worst_;
 };

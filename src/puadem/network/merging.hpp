@@ -24,7 +24,8 @@ struct StartingUnits {
   /// A starting unit falls apart at facets where 2 r* over the lesser radius of the two single cells, or the rank, has come
   /// below this.
   double keep = 0.8;
-  /// Per cell: units of different kinds stay apart, but for cells that have no void and must join.
+  /// Per cell: units of different kinds stay apart, but for cells that have no void and must join, and for those of less than a
+  /// twentieth of the mean cell's void, which may join a higher kind.
   std::span<const int> kind;
 };
 
