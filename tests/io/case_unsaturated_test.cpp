@@ -82,6 +82,7 @@ TEST(UnsaturatedKeys, FillEveryFieldAndAreWrittenBack) {
 TEST(UnsaturatedKeys, WhatCannotRunIsRefusedWithTheReason) {
   const std::string path = "path = [\"0 Pa\", \"1 kPa\"]\n";
   expect_error("", "path");
+  expect_error(path + "[motion]\ngravity = [\"0 m/s2\", \"0 m/s2\", \"-9.81 m/s2\"]\n", "knows no weight of the fluids");
   expect_error(path + "loaded = [\"top\"]\n", "go together");
   expect_error(path + "stress = \"1 kPa\"\n", "go together");
   expect_error(path + "water = [\"top\"]\n", "air and water must lie at different faces");

@@ -18,6 +18,8 @@ void check_unsaturated_stage(const UnsaturatedStage& s, const TomlValue& tree, i
       error(key, fmt::format(".{}: \"{}\" is no wall: the direction {} is periodic", key, face_names[to_size(face)],
                              "xyz"[axis_of(face)]));
   };
+  if (norm(c.motion.gravity) > 0.0)
+    error("kind", " knows no weight of the fluids yet: take motion.gravity out, or use saturated-flow or two-phase-flow");
   need_wall("air", s.air);
   if (std::ranges::none_of(s.water, [](bool w) { return w; })) error("water", ".water names no face");
   if (s.water[to_size(s.air)])
