@@ -139,8 +139,8 @@ bool rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particl
 void move_grains(const UnsaturatedOptions& options, double duration, GrainSystem& grains, Particles& particles,
                  UnsaturatedState& state) {
   const double end = state.grain_time + duration;
-  evaluate_forces(grains);
   do {
+    evaluate_forces(grains);
     renew_time_step(grains);
     const auto steps = static_cast<long>(std::ceil((end - state.grain_time) / grains.time_step * (1.0 - 1e-9)));
     advance(std::clamp(steps, 1L, check_interval), grains, state);
