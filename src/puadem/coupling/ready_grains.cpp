@@ -1,6 +1,7 @@
 #include "puadem/coupling/ready_grains.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "puadem/base/error.hpp"
@@ -22,6 +23,18 @@ LoadingScale loading_scale(const Case& c, const GrainSystem& s, const Particles&
   scale.size = s.domain.size();
   scale.stress = axis_stress(s, m);
   return scale;
+}
+
+void hold_stress(int face, double stress, double speed_stress, const LoadingScale& scale, GrainSystem& grains) {
+  constexpr double speed_share = 0.3;  // of the speed of a grain that the stress would set moving
+  const int axis = axis_of(face);
+  for (Wall& wall : grains.walls) {
+    if (wall.face != face) continue;
+    wall.target = stress;
+    wall.area = scale.size[(axis + 1) % 3] * scale.size[(axis + 2) % 3];
+    wall.servo_stress = ServoStress::total;
+    wall.speed_limit = speed_share * std::sqrt(speed_stress / scale.density);
+  }
 }
 
 GrainSystem& ready_grains(const Case& c, State& state, const Observer& observer) {

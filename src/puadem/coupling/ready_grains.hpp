@@ -13,4 +13,8 @@ GrainSystem& ready_grains(const Case& c, State& state, const Observer& observer)
 /// What a stage's rates are judged by. @pre the forces are those of the present places, `m` belongs to them
 LoadingScale loading_scale(const Case& c, const GrainSystem& s, const Particles& particles, const GrainMeasures& m);
 
+/// The wall of a face moves so that grains and fluids together bear `stress` on it [Pa], no faster than grains that
+/// `speed_stress` sets moving [Pa].
+void hold_stress(int face, double stress, double speed_stress, const LoadingScale& scale, GrainSystem& grains);
+
 }  // namespace puadem

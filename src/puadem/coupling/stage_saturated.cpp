@@ -16,8 +16,7 @@ namespace puadem {
 
 namespace {
 
-constexpr long check_interval = 50;       // coupled steps between two looks at the time step
-constexpr double wall_speed_share = 0.3;  // largest speed of a loaded wall over that of a grain its stress would set moving
+constexpr long check_interval = 50;  // coupled steps between two looks at the time step
 constexpr double profiles_a_stage = 10;
 constexpr double servo_memory = 0.02;  // share of a lasting lag of the wall's servo that is made up for in a step of the grains
 
@@ -64,20 +63,6 @@ SaturatedOptions options_of(const Case& c, const SaturatedStage& stage, double m
   options.network.merge_ratio = std::numeric_limits<double>::infinity();
   options.limits = c.pores.conductance_limits;
   return options;
-}
-
-/// The wall that holds the stress of the stage.
-void load_wall(Coupled& k, const LoadingScale& scale, double mean_stress) {
-  k.grains.motion.strain_with_box = false;
-  if (!k.stage.loaded) return;
-  const int face = *k.stage.loaded, axis = axis_of(face);
-  for (Wall& wall : k.grains.walls) {
-    if (wall.face != face) continue;
-    wall.target = *k.stage.stress;
-    wall.area = scale.size[(axis + 1) % 3] * scale.size[(axis + 2) % 3];
-    wall.servo_stress = ServoStress::total;
-    wall.speed_limit = wall_speed_share * std::sqrt(std::max(*k.stage.stress, mean_stress) / scale.density);
-  }
 }
 
 void keep_in_step(Coupled& k) {
@@ -243,7 +228,8 @@ void begin(const Case& c, int index, State& state, const Observer& observer, Run
   k.inlet = inlet_of(stage);
   set_faces(k, 0.0);
   grains.motion.damping = stage.damping;
-  load_wall(k, scale, m.mean_stress);
+  grains.motion.strain_with_box = false;
+  if (stage.loaded) hold_stress(*stage.loaded, *stage.stress, std::max(*stage.stress, m.mean_stress), scale, grains);
   state.saturated = start_saturated(k.options, state.network, state.particles, grains, k.cache);
   at.longest_step = grains.motion.safety * critical_time_step_at(grains, std::max(stage.stress.value_or(0.0), m.mean_stress));
   grains.time_step = 0.0;

@@ -10,15 +10,12 @@
 #include "puadem/coupling/saturated_step.hpp"
 #include "puadem/coupling/stages.hpp"
 #include "puadem/coupling/unsaturated_results.hpp"
-#include "puadem/dem/fabric.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/flow/retention_path.hpp"
 
 namespace puadem {
 
 namespace {
-
-constexpr double wall_speed_share = 0.3;  // largest speed of a loaded wall over that of a grain its stress would set moving
 
 /// A stage under way.
 struct Unsaturated {
@@ -56,19 +53,6 @@ UnsaturatedOptions options_of(const Case& c, const UnsaturatedStage& stage, doub
   return options;
 }
 
-void load_walls(const UnsaturatedStage& stage, const LoadingScale& scale, GrainSystem& grains) {
-  grains.motion.strain_with_box = false;
-  grains.motion.damping = stage.damping;
-  for (Wall& wall : grains.walls) {
-    if (wall.face < 0 || !stage.loaded[to_size(wall.face)]) continue;
-    const int axis = axis_of(wall.face);
-    wall.target = *stage.stress;
-    wall.area = scale.size[(axis + 1) % 3] * scale.size[(axis + 2) % 3];
-    wall.servo_stress = ServoStress::total;
-    wall.speed_limit = wall_speed_share * std::sqrt(*stage.stress / scale.density);
-  }
-}
-
 UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer& observer) {
   const auto& stage = std::get<UnsaturatedStage>(c.stages[to_size(index)]);
   GrainSystem& grains = ready_grains(c, state, observer);
@@ -88,7 +72,10 @@ UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer
     at.strain_rate =
         stage.strain_rate.value_or(default_inertial_number / inertial_number(1.0, scale.diameter, scale.density, *stage.stress));
   state.network = checked_network(c, state, observer, true);
-  load_walls(stage, scale, grains);
+  grains.motion.strain_with_box = false;
+  grains.motion.damping = stage.damping;
+  for (int face = 0; face < 6; ++face)
+    if (stage.loaded[to_size(face)]) hold_stress(face, *stage.stress, *stage.stress, scale, grains);
   UnsaturatedCache cache;
   state.unsaturated = start_unsaturated(options_of(c, stage, at.mean_radius), state.network, state.particles, grains, cache);
   return at;

@@ -78,10 +78,18 @@ double sum_of(std::span<const double> values) {
   return sum.value();
 }
 
+[[noreturn]] void throw_vanished(const PoreNetwork& network, const MovedVoids& voids, int pore, long step) {
+  const Vec3& at = network.pore_centre[to_size(pore)];
+  throw NumericalError(fmt::format(
+      "step {}: pore {} at ({:g}, {:g}, {:g}) m has vanished between its grains, it has {:.3g} m3 left and no neighbour with "
+      "room; a smaller remesh_displacement or step of the capillary pressure helps",
+      step, pore, at.x, at.y, at.z, voids.pore[to_size(pore)]));
+}
+
 /// Has a grain moved so far that the network must be made anew?
 bool have_gone_far(const UnsaturatedOptions& options, const GrainSystem& grains, Particles& particles,
                    const UnsaturatedState& state) {
-  collect(grains, particles);
+  collect_places(grains, particles);
   return largest_displacement(state.place, followed_centres(state.place, particles, grains.domain)) > options.remesh_displacement;
 }
 
@@ -154,15 +162,7 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
   const std::vector<Vec3> centre = followed_centres(state.place, particles, domain);
   MovedVoids voids = moved_voids(network, state.place, centre, particles.radius, domain);
   const std::vector<BorrowedRoom> borrowed = borrow_room(network, *cache.model, state.flow, voids.pore);
-  if (!borrowed.empty() && borrowed.back().from < 0) {
-    const int pore = borrowed.back().pore;
-    const Vec3& at = network.pore_centre[to_size(pore)];
-    ensure(
-        false,
-        "step {}: pore {} at ({:g}, {:g}, {:g}) m has vanished between its grains, it has {:.3g} m3 left and no neighbour with "
-        "room; a smaller remesh_displacement or step of the capillary pressure helps",
-        grains.steps, pore, at.x, at.y, at.z, voids.pore[to_size(pore)]);
-  }
+  if (!borrowed.empty() && borrowed.back().from < 0) throw_vanished(network, voids, borrowed.back().pore, grains.steps);
 
   const double time = slow * cache.model->time_scale;
   std::vector<double> rate(voids.pore.size());
