@@ -3,8 +3,7 @@
 
 #include <numbers>
 
-#include "puadem/base/error.hpp"
-#include "puadem/io/case_file.hpp"
+#include "support/bed_case.hpp"
 
 namespace puadem {
 namespace {
@@ -12,19 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::string bed = R"(title = "bed"
-[grains]
-count = 500
-material = "glass"
-grading = { by = "number", classes = [{ diameter = "0.3 mm", fraction = 1.0 }] }
-[materials.glass]
-density = "2650 kg/m3"
-[[stage]]
-kind = "compact"
-stress = "10 kPa"
-[[stage]]
-kind = "two-phase-flow"
-)";
+const std::string bed = testing::bed_case("two-phase-flow");
 
 const std::string everything = bed + R"(air = "disc"
 disc_radius = "1 mm"

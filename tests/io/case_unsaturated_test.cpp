@@ -1,30 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "puadem/base/error.hpp"
-#include "puadem/io/case_file.hpp"
+#include "support/bed_case.hpp"
 
 namespace puadem {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
-const std::string bed = R"(title = "bed"
-[domain]
-periodic = ["x", "y"]
-[grains]
-count = 500
-material = "glass"
-grading = { by = "number", classes = [{ diameter = "0.3 mm", fraction = 1.0 }] }
-[materials.glass]
-density = "2650 kg/m3"
-[[stage]]
-kind = "compact"
-stress = "10 kPa"
-[[stage]]
-kind = "unsaturated-flow"
-)";
+const std::string bed = testing::bed_case("unsaturated-flow", testing::between_plates);
 
 const std::string everything = bed + R"(path = ["0 Pa", "2 kPa", "0 Pa"]
 step = "50 Pa"
@@ -50,10 +34,7 @@ UnsaturatedStage stage_of(const std::string& text) {
   return std::get<UnsaturatedStage>(parse_case(text, "case.toml", "/study").c.stages[1]);
 }
 
-void expect_error(const std::string& keys, const std::string& message) {
-  EXPECT_THAT([&] { parse_case(bed + keys, "case.toml", "/study"); }, ::testing::ThrowsMessage<InputError>(HasSubstr(message)))
-      << keys;
-}
+void expect_error(const std::string& keys, const std::string& message) { testing::expect_case_error(bed + keys, message); }
 
 TEST(UnsaturatedKeys, FillEveryFieldAndAreWrittenBack) {
   const Case c = parse_case(everything, "case.toml", "/study").c;
