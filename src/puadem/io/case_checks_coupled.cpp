@@ -8,25 +8,21 @@
 
 namespace puadem {
 
+void CoupledStageChecks::error(std::string_view key, const std::string& text) const {
+  const TomlValue* value = tree.find(key);
+  problems.error(value != nullptr ? value->place : tree.place, fmt::format("stage.{}{}", index, text));
+}
+
+void CoupledStageChecks::need_wall(std::string_view key, int face) const {
+  if (c.domain.periodic[to_size(axis_of(face))])
+    error(key, fmt::format(".{}: \"{}\" is no wall: the direction {} is periodic", key, face_names[to_size(face)],
+                           "xyz"[axis_of(face)]));
+}
+
 namespace {
 
-/// A stage with what messages need to point at it.
-struct Context {
+struct Context : CoupledStageChecks {
   const SaturatedStage& stage;
-  const TomlValue& tree;
-  int index;
-  const Case& c;
-  Problems& problems;
-
-  void error(std::string_view key, const std::string& text) const {
-    const TomlValue* value = tree.find(key);
-    problems.error(value != nullptr ? value->place : tree.place, fmt::format("stage.{}{}", index, text));
-  }
-  void need_wall(std::string_view key, int face) const {
-    if (c.domain.periodic[to_size(axis_of(face))])
-      error(key, fmt::format(".{}: \"{}\" is no wall: the direction {} is periodic", key, face_names[to_size(face)],
-                             "xyz"[axis_of(face)]));
-  }
 };
 
 bool is_drained(const SaturatedStage& s) {
@@ -67,7 +63,7 @@ void check_load(const Context& at) {
 }  // namespace
 
 void check_saturated_stage(const SaturatedStage& stage, const TomlValue& tree, int index, const Case& c, Problems& problems) {
-  const Context at{stage, tree, index, c, problems};
+  const Context at{{tree, index, c, problems}, stage};
   for (int face = 0; face < 6; ++face)
     if (stage.drained[to_size(face)]) at.need_wall("drained", face);
   if (stage.inlet) at.need_wall("inlet", *stage.inlet);

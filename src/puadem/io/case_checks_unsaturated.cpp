@@ -9,39 +9,31 @@
 namespace puadem {
 
 void check_unsaturated_stage(const UnsaturatedStage& s, const TomlValue& tree, int index, const Case& c, Problems& problems) {
-  const auto error = [&](std::string_view key, const std::string& text) {
-    const TomlValue* value = tree.find(key);
-    problems.error(value != nullptr ? value->place : tree.place, fmt::format("stage.{}{}", index, text));
-  };
-  const auto need_wall = [&](std::string_view key, int face) {
-    if (c.domain.periodic[to_size(axis_of(face))])
-      error(key, fmt::format(".{}: \"{}\" is no wall: the direction {} is periodic", key, face_names[to_size(face)],
-                             "xyz"[axis_of(face)]));
-  };
+  const CoupledStageChecks at{tree, index, c, problems};
   if (norm(c.motion.gravity) > 0.0)
-    error("kind", " knows no weight of the fluids yet: take motion.gravity out, or use saturated-flow or two-phase-flow");
-  need_wall("air", s.air);
-  if (std::ranges::none_of(s.water, [](bool w) { return w; })) error("water", ".water names no face");
+    at.error("kind", " knows no weight of the fluids yet: take motion.gravity out, or use saturated-flow or two-phase-flow");
+  at.need_wall("air", s.air);
+  if (std::ranges::none_of(s.water, [](bool w) { return w; })) at.error("water", ".water names no face");
   if (s.water[to_size(s.air)])
-    error("water", fmt::format(": air and water must lie at different faces, not both at {}", face_names[to_size(s.air)]));
+    at.error("water", fmt::format(": air and water must lie at different faces, not both at {}", face_names[to_size(s.air)]));
   for (int face = 0; face < 6; ++face) {
-    if (s.water[to_size(face)]) need_wall("water", face);
-    if (s.loaded[to_size(face)]) need_wall("loaded", face);
+    if (s.water[to_size(face)]) at.need_wall("water", face);
+    if (s.loaded[to_size(face)]) at.need_wall("loaded", face);
   }
   if (s.is_loaded() != s.stress.has_value())
-    error(s.stress ? "stress" : "loaded", ".loaded and .stress go together: give both or none");
+    at.error(s.stress ? "stress" : "loaded", ".loaded and .stress go together: give both or none");
   if (s.strain) {
-    for (const int face : {4, 5}) need_wall("strain", face);
-    if (!s.stress) error("strain", ".strain needs loaded faces and their stress: those beside z that hold it");
-    if (*s.strain == 0.0) error("strain", ".strain must not be 0");
+    for (const int face : {4, 5}) at.need_wall("strain", face);
+    if (!s.stress) at.error("strain", ".strain needs loaded faces and their stress: those beside z that hold it");
+    if (*s.strain == 0.0) at.error("strain", ".strain must not be 0");
   }
   for (const char* key : {"strain_rate", "strain_step"})
-    if (!s.strain && tree.find(key) != nullptr) error(key, fmt::format(".{} is used with strain only; remove it", key));
+    if (!s.strain && tree.find(key) != nullptr) at.error(key, fmt::format(".{} is used with strain only; remove it", key));
   for (std::size_t i = 1; i < s.path.size(); ++i)
-    if (s.path[i] == s.path[i - 1]) error("path", ".path: a pressure must differ from the one before it");
+    if (s.path[i] == s.path[i - 1]) at.error("path", ".path: a pressure must differ from the one before it");
   double span = 0.0;
   for (std::size_t i = 1; i < s.path.size(); ++i) span += std::abs(s.path[i] - s.path[i - 1]);
-  if (span / s.step > 1e5) error("step", fmt::format(".step makes {:.3g} steps along the path; at most 1e5", span / s.step));
+  if (span / s.step > 1e5) at.error("step", fmt::format(".step makes {:.3g} steps along the path; at most 1e5", span / s.step));
 }
 
 }  // namespace puadem
