@@ -38,7 +38,7 @@ TEST_P(ClosedOff, WaterWithoutAWayOutIsRefusedWhenItsVolumeChanges) {
   TwoPhaseState state = start_two_phase(network, model);
   const TwoPhaseState before = state;
   try {
-    advance_two_phase(network, model, 1.0, std::vector{0.0, 0.0, -0.1, 0.2, 0.1, 0.0}, state);
+    advance_two_phase(network, model, 1.0, {std::vector{0.0, 0.0, -0.1, 0.2, 0.1, 0.0}}, state);
     ADD_FAILURE() << "no error";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("pores 2, 3 can pass no fluid"));
@@ -51,7 +51,7 @@ TEST_P(ClosedOff, ItMayPassVolumeWithin) {
   const PoreNetwork network = with_closed_pair();
   const TwoPhaseModel model = make_model(network, unit_fluids(), options(), Schedule::constant(0.0));
   TwoPhaseState state = start_two_phase(network, model);
-  advance_two_phase(network, model, 1.0, std::vector{0.0, 0.0, -0.1, 0.1, 0.1, 0.0}, state);
+  advance_two_phase(network, model, 1.0, {std::vector{0.0, 0.0, -0.1, 0.1, 0.1, 0.0}}, state);
   EXPECT_NEAR(state.wetting_volume[2], 1e3 - 0.1, 1e-9);
   EXPECT_NEAR(state.wetting_volume[3], 1e3 + 0.1, 1e-9);
   EXPECT_NEAR(state.boundary_inflow[1][0], 0.1, 1e-9);
@@ -77,7 +77,7 @@ TEST(ClosedOffGas, YieldsWhereItHasAPressureOfItsReservoirOrIsIdeal) {
     const double pressure = capillary_pressure(network, model, 1, state);
     state.nonwetting_pressure[1] = pressure;
     if (gas == GasKind::ideal) state.gas_amount[1] = 500.0 * (pressure + options.reference_pressure);
-    const auto advance = [&] { advance_two_phase(network, model, 1.0, std::vector{0.0, 0.0, -0.1, 0.0}, state); };
+    const auto advance = [&] { advance_two_phase(network, model, 1.0, {std::vector{0.0, 0.0, -0.1, 0.0}}, state); };
     if (gas == GasKind::incompressible) {
       EXPECT_THROW(advance(), InputError);
       continue;
@@ -98,7 +98,7 @@ TEST(ClosedOffWater, BehindAPoreThatRunsDryEndsTheRun) {
   const TwoPhaseModel model = make_model(network, fluids, {}, Schedule::constant(-1.0));
   TwoPhaseState state = start_two_phase(network, model);
   try {
-    advance_two_phase(network, model, 1e9, std::vector{0.0, 0.0, 0.0, -1e-9}, state);
+    advance_two_phase(network, model, 1e9, {std::vector{0.0, 0.0, 0.0, -1e-9}}, state);
     ADD_FAILURE() << "no error";
   } catch (const NumericalError& error) {
     EXPECT_THAT(error.what(), HasSubstr("pore 3 can pass no fluid"));

@@ -169,7 +169,7 @@ TEST(TwoPhaseChain, ClosingPoresPressTheirFluidOut) {
     rate[to_size(i)] = -0.01 * network.pore_volume[to_size(i)];
     pressed += 0.01 * network.pore_volume[to_size(i)];
   }
-  advance_two_phase(network, model, 1.0, rate, state);
+  advance_two_phase(network, model, 1.0, {rate}, state);
   const double in =
       state.boundary_inflow[0][1] + state.boundary_inflow[1][0] - before.boundary_inflow[0][1] - before.boundary_inflow[1][0];
   EXPECT_NEAR(-in / pressed, 1.0, 1e-8);

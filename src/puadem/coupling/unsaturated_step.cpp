@@ -168,7 +168,7 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
   std::vector<double> rate(voids.pore.size());
   for (std::size_t p = 0; p < rate.size(); ++p) rate[p] = (voids.pore[p] - network.pore_volume[p]) / time;
   state.flow.time_step = time;
-  state.fluid_steps += advance_two_phase(network, *cache.model, time, rate, state.flow).steps;
+  state.fluid_steps += advance_two_phase(network, *cache.model, time, {rate}, state.flow).steps;
   give_back_room(borrowed, voids.pore, state.flow);
   fill_reservoirs(*cache.model, voids.pore, state.flow);
 

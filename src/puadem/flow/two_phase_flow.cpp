@@ -32,6 +32,8 @@ constexpr double stop_before = 0.9;
 /// ... but never by less than this.
 constexpr double least_share = 1e-3;
 
+bool has_rates(const PoreRates& rates) { return !rates.volume.empty() || !rates.uptake.empty(); }
+
 bool gives_pressure(const FlowBoundary& boundary) { return boundary.kind == FlowBoundary::Kind::pressure; }
 
 /// Prescribed values on the way from the present ones to others.
@@ -44,12 +46,12 @@ BoundaryValues between(const TwoPhaseState& state, const TwoPhaseModel& model, c
 }
 
 /// Books what crossed the boundaries and takes the trial's volumes and pressures over.
-void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step, std::span<const double> old_volume,
-            std::span<const double> volume, const BoundaryValues& values, const TwoPhaseTrial& trial, TwoPhaseState& state) {
+void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step, const StepPores& pores,
+            const BoundaryValues& values, const TwoPhaseTrial& trial, TwoPhaseState& state) {
   const bool one_pressure = model.options.gas == GasKind::connected;
   const auto gas_gain = [&](int i) {
     const std::size_t p = to_size(i);
-    return (volume[p] - old_volume[p]) - (trial.wetting_volume[p] - state.wetting_volume[p]);
+    return (pores.volume[p] - pores.old_volume[p]) - (trial.wetting_volume[p] - state.wetting_volume[p]);
   };
   for (int b = 0; b < size_of(model.boundaries); ++b) {
     const FlowBoundary& boundary = model.boundaries[to_size(b)];
@@ -76,6 +78,8 @@ void accept(const PoreNetwork& network, const TwoPhaseModel& model, double step,
                                                     hydrostatic(model, boundary.fluid, model.boundary_place[to_size(b)]);
   }
   state.ledger.book(0.0, trial.expansion);
+  for (int i = 0; i < size_of(pores.uptake); ++i)
+    if (model.is_counted(i)) state.ledger.book(-step * pores.uptake[to_size(i)], 0.0);
   for (int i = 0; i < network.pores(); ++i) {
     const std::size_t p = to_size(i);
     const bool gas = trial.nonwetting_clusters.holds[p];
@@ -98,12 +102,13 @@ struct Stepper {
   double front_change;
   TwoPhaseReport report;
   std::vector<double> old_volume, volume;  ///< per pore, at the ends of the step [m3]
-  std::span<const double> volume_rate;
+  PoreRates rates;
 
   TwoPhaseTrial attempt(double step, bool in_order, const BoundaryValues& values) {
-    for (std::size_t p = 0; p < volume_rate.size(); ++p) volume[p] = old_volume[p] + step * volume_rate[p];
+    for (std::size_t p = 0; p < rates.volume.size(); ++p) volume[p] = old_volume[p] + step * rates.volume[p];
     const double most = front_change < 1.0 ? 2.0 * front_change : std::numeric_limits<double>::infinity();
-    TwoPhaseTrial trial = try_two_phase_step(network, model, step, most, in_order, old_volume, volume, values, state);
+    TwoPhaseTrial trial =
+        try_two_phase_step(network, model, step, most, in_order, {old_volume, volume, rates.uptake}, values, state);
     report.solves += trial.solves;
     report.seconds_assemble += trial.seconds_assemble;
     report.seconds_solve += trial.seconds_solve;
@@ -129,7 +134,7 @@ struct Stepper {
         continue;
       }
       if (trial.converged && !too_long) {
-        accept(network, model, step, old_volume, volume, at_end, trial, state);
+        accept(network, model, step, {old_volume, volume, rates.uptake}, at_end, trial, state);
         state.time += step;
         ++state.steps;
         ++report.steps;
@@ -143,8 +148,8 @@ struct Stepper {
         note_cut_off_gas(network, model, was_connected, state);
         report.seconds_events += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         report.events += events;
-        if (events > 0 && !volume_rate.empty()) {
-          const std::string closed_off = closed_off_parts(network, model, volume_rate, state);
+        if (events > 0 && has_rates(rates)) {
+          const std::string closed_off = closed_off_parts(network, model, rates, state);
           ensure(closed_off.empty(), "two-phase flow cannot go on at t = {:.6g} s (step {}): {}", state.time, state.steps,
                  closed_off);
         }
@@ -228,23 +233,22 @@ TwoPhaseState start_two_phase(const PoreNetwork& network, const TwoPhaseModel& m
   return state;
 }
 
-TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, double duration,
-                                 std::span<const double> volume_rate, TwoPhaseState& state, const TwoPhaseCallbacks& callbacks) {
+TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, double duration, const PoreRates& rates,
+                                 TwoPhaseState& state, const TwoPhaseCallbacks& callbacks) {
   require(std::isfinite(duration) && duration >= 0.0, "two-phase flow cannot be followed for {} s", duration);
-  return advance_two_phase_to(network, model, state.time + duration, volume_rate, state, callbacks);
+  return advance_two_phase_to(network, model, state.time + duration, rates, state, callbacks);
 }
 
-TwoPhaseReport advance_two_phase_to(const PoreNetwork& network, const TwoPhaseModel& model, double end,
-                                    std::span<const double> volume_rate, TwoPhaseState& state,
-                                    const TwoPhaseCallbacks& callbacks) {
-  require(volume_rate.empty() || size_of(volume_rate) == network.pores(), "{} volume rates are given for {} pores",
-          volume_rate.size(), network.pores());
-  if (!volume_rate.empty()) {
-    const std::string closed_off = closed_off_parts(network, model, volume_rate, state);
+TwoPhaseReport advance_two_phase_to(const PoreNetwork& network, const TwoPhaseModel& model, double end, const PoreRates& rates,
+                                    TwoPhaseState& state, const TwoPhaseCallbacks& callbacks) {
+  for (const auto given : {rates.volume, rates.uptake})
+    require(given.empty() || size_of(given) == network.pores(), "{} rates are given for {} pores", given.size(), network.pores());
+  if (has_rates(rates)) {
+    const std::string closed_off = closed_off_parts(network, model, rates, state);
     require(closed_off.empty(), "two-phase flow cannot follow the grains: {}", closed_off);
   }
   Stepper stepper = make_stepper(network, model, state, callbacks, model.options.steps.front_change);
-  stepper.volume_rate = volume_rate;
+  stepper.rates = rates;
   state.is_settling = false;
   while (state.time < end) {
     double until = end;

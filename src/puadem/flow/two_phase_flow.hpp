@@ -138,23 +138,26 @@ TwoPhaseModel make_two_phase_model(const PoreNetwork& network, const Fluids& flu
 /// Wetting fluid everywhere but in the reservoirs of the other, at rest at the first wetting pressure.
 TwoPhaseState start_two_phase(const PoreNetwork& network, const TwoPhaseModel& model);
 
+/// What grains that move or swell do to each pore; empty: nothing.
+struct PoreRates {
+  std::span<const double> volume{};  ///< dV_i/dt, from the network's volumes at the start of the call [m3/s]
+  std::span<const double> uptake{};  ///< wetting fluid that grains take out of the pore, >= 0 [m3/s]
+};
+
 /// Follows the flow for a duration [s].
 ///
-/// @param volume_rate  dV_i/dt per pore [m3/s], from the network's volumes at the start of the call; may be empty
-/// Under volume rates each pore must be able to pass on what it loses: its fluids reach a boundary with a pressure, directly or
+/// Under such rates each pore must be able to pass on what it loses: its fluids reach a boundary with a pressure, directly or
 /// through neighbours and through the other fluid of a pore, or there is gas of one pressure or cut-off ideal gas that yields,
 /// or the rates of the part that is closed off sum to nothing. This is looked at before the first step and after events.
 /// @throws InputError      for volume rates of closed-off parts at the start, with their pores
 /// @throws NumericalError  for a part that an event has closed off; for a step that fails however short it is, with the pores
 ///                         that hold it up
-TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, double duration,
-                                 std::span<const double> volume_rate, TwoPhaseState& state,
-                                 const TwoPhaseCallbacks& callbacks = {});
+TwoPhaseReport advance_two_phase(const PoreNetwork& network, const TwoPhaseModel& model, double duration, const PoreRates& rates,
+                                 TwoPhaseState& state, const TwoPhaseCallbacks& callbacks = {});
 
 /// The same up to a time [s]: the sum of several durations rounds, a time does not.
-TwoPhaseReport advance_two_phase_to(const PoreNetwork& network, const TwoPhaseModel& model, double time,
-                                    std::span<const double> volume_rate, TwoPhaseState& state,
-                                    const TwoPhaseCallbacks& callbacks = {});
+TwoPhaseReport advance_two_phase_to(const PoreNetwork& network, const TwoPhaseModel& model, double time, const PoreRates& rates,
+                                    TwoPhaseState& state, const TwoPhaseCallbacks& callbacks = {});
 
 /// When two fluids count as being at rest.
 struct RestCriterion {

@@ -134,7 +134,7 @@ bool go_by_flows(Newton& n) {
   for (int i = 0; i < n.network.pores(); ++i) {
     const std::size_t p = to_size(i);
     if (n.model.is_counted(i) && n.trial.filling[p] != Filling::empty)
-      n.trial.wetting_volume[p] = n.state.wetting_volume[p] - n.step * n.trial.wetting_outflow[p];
+      n.trial.wetting_volume[p] = n.state.wetting_volume[p] - n.step * (n.trial.wetting_outflow[p] + n.taken(i));
     if (n.trial.filling[p] == Filling::mixed && n.trial.wetting_volume[p] <= 0.0) has_enough = false;
   }
   return has_enough;
@@ -203,17 +203,25 @@ void close_throat(Newton& n, int throat) {
 }  // namespace
 
 TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step, double most_change,
-                                 bool in_order, std::span<const double> old_volume, std::span<const double> volume,
-                                 const BoundaryValues& boundary, const TwoPhaseState& state) {
+                                 bool in_order, const StepPores& pores, const BoundaryValues& boundary,
+                                 const TwoPhaseState& state) {
   TwoPhaseTrial trial;
   const Clock assembling;
-  Newton n{network,    model,
-           state,      *model.solver,
-           step,       !std::isfinite(most_change),
-           old_volume, volume,
-           boundary,   two_phase_conductances(network, model, state),
-           trial,      {},
-           {},         {}};
+  Newton n{network,
+           model,
+           state,
+           *model.solver,
+           step,
+           !std::isfinite(most_change),
+           pores.old_volume,
+           pores.volume,
+           pores.uptake,
+           boundary,
+           two_phase_conductances(network, model, state),
+           trial,
+           {},
+           {},
+           {}};
   start_newton(n);
   trial.seconds_assemble += assembling.seconds();
   const double tolerance = model.options.steps.tolerance;

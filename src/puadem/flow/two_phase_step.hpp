@@ -52,13 +52,18 @@ struct TwoPhaseTrial {
 /// Values of the boundaries' schedules for a step: pressures [Pa] or flow rates [m3/s].
 using BoundaryValues = std::vector<double>;
 
+/// Pores within a step.
+struct StepPores {
+  std::span<const double> old_volume, volume;  ///< at its start and end [m3]
+  std::span<const double> uptake{};            ///< see `PoreRates`
+};
+
 /// Tries a step: pressures, saturations and invaded pores at its end, conductances else those of its start. The state
 /// stays as it is. Where the change exceeds `most_change` the trial is left as soon as that is seen, and where `in_order` is
 /// asked for, as soon as its end is seen to say too little of its order.
-/// @param volume  of each pore at the step's end [m3]; @param old_volume  at its start
 TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel& model, double step, double most_change,
-                                 bool in_order, std::span<const double> old_volume, std::span<const double> volume,
-                                 const BoundaryValues& boundary, const TwoPhaseState& state);
+                                 bool in_order, const StepPores& pores, const BoundaryValues& boundary,
+                                 const TwoPhaseState& state);
 
 /// Amounts of cut-off ideal gas after a step: within each cluster they spread to one pressure...
 void spread_cut_off_gas(const PoreNetwork& network, const TwoPhaseModel& model, TwoPhaseState& state);
@@ -84,9 +89,9 @@ struct FillingsWithinStep {
 FillingsWithinStep fillings_within_step(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
                                         const TwoPhaseTrial& trial);
 
-/// What cannot follow the change of its volume: parts from which no fluid reaches a boundary with a pressure and whose fluids
-/// do not yield, unless their rates sum to nothing. @return which and why; empty where all can
-std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& model, std::span<const double> volume_rate,
+/// What cannot follow the change of its volume or give what is taken: parts from which no fluid reaches a boundary with a
+/// pressure and whose fluids do not yield, unless their rates sum to nothing. @return which and why; empty where all can
+std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& model, const PoreRates& rates,
                              const TwoPhaseState& state);
 
 /// Boundaries with a flow rate when no step succeeds: what each asks for, and what limits it. Empty where there is none.

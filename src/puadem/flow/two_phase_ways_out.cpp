@@ -37,7 +37,7 @@ DisjointSets passing_parts(const PoreNetwork& network, const TwoPhaseModel& mode
 
 }  // namespace
 
-std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& model, std::span<const double> volume_rate,
+std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& model, const PoreRates& rates,
                              const TwoPhaseState& state) {
   const int n = network.pores();
   DisjointSets parts = passing_parts(network, model, state);
@@ -53,8 +53,11 @@ std::string closed_off_parts(const PoreNetwork& network, const TwoPhaseModel& mo
   const auto part = [&](int i) { return to_size(parts.find(state.wetting.holds[to_size(i)] ? i : n + i)); };
   for (int i = 0; i < n; ++i) {
     if (!model.is_counted(i)) continue;
-    sum[part(i)] += volume_rate[to_size(i)];
-    magnitude[part(i)] += std::abs(volume_rate[to_size(i)]);
+    for (const auto given : {rates.volume, rates.uptake}) {
+      if (given.empty()) continue;
+      sum[part(i)] += given[to_size(i)];
+      magnitude[part(i)] += std::abs(given[to_size(i)]);
+    }
   }
   std::vector<int> stuck;
   for (int i = 0; i < n; ++i)
