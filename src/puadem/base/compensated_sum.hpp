@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
 namespace puadem {
 
@@ -15,5 +16,11 @@ struct CompensatedSum {
   }
   double value() const { return sum + rest; }
 };
+
+inline double compensated_sum(std::span<const double> values) {
+  CompensatedSum sum;
+  for (const double v : values) sum.add(v);
+  return sum.value();
+}
 
 }  // namespace puadem

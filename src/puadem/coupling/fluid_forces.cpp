@@ -104,4 +104,14 @@ void add_buoyancy(std::span<const double> radius, double density, const Vec3& gr
   }
 }
 
+void freeze_forces(const FluidForces& forces, GrainSystem& grains) {
+  grains.external_force = forces.grain;
+  for (Wall& wall : grains.walls) wall.fluid_force = wall.face >= 0 ? forces.wall[to_size(wall.face)] : Vec3{};
+}
+
+void release_forces(GrainSystem& grains) {
+  grains.external_force.clear();
+  for (Wall& wall : grains.walls) wall.fluid_force = {};
+}
+
 }  // namespace puadem

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "puadem/base/vec3.hpp"
+#include "puadem/dem/grain_system.hpp"
 #include "puadem/geometry/packing_sites.hpp"
 #include "puadem/network/pore_network.hpp"
 
@@ -59,5 +60,9 @@ FluidForces pressure_forces(const PoreNetwork& network, const PushedAreas& areas
 /// @param wetted  part of each grain's surface that the fluid covers [-]; empty: all of it
 void add_buoyancy(std::span<const double> radius, double density, const Vec3& gravity, std::span<const double> wetted,
                   std::span<Vec3> force);
+
+/// Grains and walls feel the forces until others are frozen or they are released.
+void freeze_forces(const FluidForces& forces, GrainSystem& grains);
+void release_forces(GrainSystem& grains);
 
 }  // namespace puadem

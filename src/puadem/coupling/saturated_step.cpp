@@ -14,12 +14,6 @@ namespace puadem {
 
 namespace {
 
-double sum_of(std::span<const double> values) {
-  CompensatedSum sum;
-  for (const double v : values) sum.add(v);
-  return sum.value();
-}
-
 bool is_closed(const SaturatedOptions& options) {
   for (const FaceCondition& face : options.faces)
     if (face.kind == FaceCondition::Kind::pressure) return false;
@@ -28,7 +22,7 @@ bool is_closed(const SaturatedOptions& options) {
 
 /// In a closed box the pores change at the expense of each other; what rounding leaves of their sum is shared among them.
 void close_rates(std::span<const double> volume, std::vector<double>& rate) {
-  const double excess = sum_of(rate), space = sum_of(volume);
+  const double excess = compensated_sum(rate), space = compensated_sum(volume);
   for (std::size_t p = 0; p < rate.size(); ++p) rate[p] -= excess * volume[p] / space;
 }
 
@@ -50,8 +44,7 @@ void set_forces(const SaturatedOptions& options, const PoreNetwork& network, con
                 SaturatedState& state, const SaturatedCache& cache) {
   state.forces = pressure_forces(network, cache.areas, state.pressure, {}, particles.size());
   add_buoyancy(particles.radius, options.density, grains.motion.gravity, {}, state.forces.grain);
-  grains.external_force = state.forces.grain;
-  for (Wall& wall : grains.walls) wall.fluid_force = wall.face >= 0 ? state.forces.wall[to_size(wall.face)] : Vec3{};
+  freeze_forces(state.forces, grains);
 }
 
 /// Fluid over the time `dt` in which the pores came to `volume`.
@@ -60,7 +53,7 @@ void advance_fluid(const SaturatedOptions& options, const PoreNetwork& network, 
   std::vector<double> rate(volume.size());
   for (std::size_t p = 0; p < rate.size(); ++p) rate[p] = (volume[p] - state.pore_volume[p]) / dt;
   // Where a wall moves the sum is no rounding, and the solve refuses it.
-  const bool is_rounding = std::abs(sum_of(volume) - state.void_now) < 1e-12 * state.void_now;
+  const bool is_rounding = std::abs(compensated_sum(volume) - state.void_now) < 1e-12 * state.void_now;
   if (is_closed(options) && is_rounding) close_rates(network.pore_volume, rate);
   std::optional<SlightCompressibility> compressibility;
   if (options.bulk_modulus) compressibility = SlightCompressibility{*options.bulk_modulus, dt, state.pressure};
@@ -70,7 +63,7 @@ void advance_fluid(const SaturatedOptions& options, const PoreNetwork& network, 
     for (std::size_t p = 0; p < rate.size(); ++p)
       state.stored.add(network.pore_volume[p] / *options.bulk_modulus * (flow.pressure[p] - state.pressure[p]));
   state.pressure = std::move(flow.pressure);
-  state.void_now = sum_of(volume);
+  state.void_now = compensated_sum(volume);
   state.pore_volume = std::move(volume);
 }
 
@@ -113,7 +106,7 @@ std::vector<double> carried_pressure(const PoreNetwork& before, const RebuiltNet
 void require_tiling(const PoreNetwork& before, const PoreNetwork& now, const Particles& particles, int inverted, double space,
                     long step) {
   constexpr double tolerance = 1e-9;  // of the void; rounding leaves 1e-13
-  const double change = sum_of(now.pore_volume) / space - 1.0;
+  const double change = compensated_sum(now.pore_volume) / space - 1.0;
   if (std::abs(change) < tolerance) return;
   std::string place = "no cell has turned inside out";
   if (inverted >= 0) {
@@ -166,7 +159,7 @@ SaturatedState start_saturated(const SaturatedOptions& options, const PoreNetwor
   SaturatedState state;
   state.place = place_of(network, particles, grains.domain);
   state.pore_volume = network.pore_volume;
-  state.void_start = state.void_now = sum_of(network.pore_volume);
+  state.void_start = state.void_now = compensated_sum(network.pore_volume);
   state.pressure.assign(to_size(network.pores()), 0.0);
   renew_cache(options, network, particles.radius, state.place, cache);
   set_forces(options, network, particles, grains, state, cache);
@@ -182,7 +175,7 @@ void saturated_step(const SaturatedOptions& options, long substeps, GrainSystem&
 
   const std::vector<Vec3> centre = followed_centres(state.place, particles, grains.domain);
   MovedVoids voids = moved_voids(network, state.place, centre, particles.radius, grains.domain);
-  const double strain = std::abs(sum_of(voids.pore) / sum_of(network.pore_volume) - 1.0);
+  const double strain = std::abs(compensated_sum(voids.pore) / compensated_sum(network.pore_volume) - 1.0);
   const bool has_vanished = std::ranges::any_of(voids.pore, [](double space) { return space <= 0.0; });
   advance_fluid(options, network, grains.domain, dt, std::move(voids.pore), state, cache);
   set_forces(options, network, particles, grains, state, cache);
@@ -202,7 +195,7 @@ double coupling_limit(const SaturatedOptions& options, const PoreNetwork& networ
   for (FaceCondition& face : drained.faces)
     if (face.kind == FaceCondition::Kind::pressure) face.value = 0.0;
   const NetworkPlace place = place_of(network, particles, domain);
-  const double radius = sum_of(particles.radius) / particles.size();
+  const double radius = compensated_sum(particles.radius) / particles.size();
   Random random(1);
   std::vector<Vec3> velocity(to_size(particles.size())), centre(velocity.size());
   for (Vec3& v : velocity) v = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
@@ -232,11 +225,6 @@ double coupling_limit(const SaturatedOptions& options, const PoreNetwork& networ
     if (std::abs(rate - last) < 1e-3 * rate) break;
   }
   return rate > 0.0 ? 2.0 / rate : std::numeric_limits<double>::infinity();
-}
-
-void release_fluid_forces(GrainSystem& grains) {
-  grains.external_force.clear();
-  for (Wall& wall : grains.walls) wall.fluid_force = {};
 }
 
 }  // namespace puadem

@@ -70,7 +70,4 @@ void saturated_step(const SaturatedOptions& options, long substeps, GrainSystem&
 double coupling_limit(const SaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
                       const Domain& domain, SaturatedCache& cache);
 
-/// Takes the fluid's forces from grains and walls.
-void release_fluid_forces(GrainSystem& grains);
-
 }  // namespace puadem

@@ -13,9 +13,7 @@ namespace puadem {
 namespace {
 
 double void_of(const PoreNetwork& network, int reservoir_pores) {
-  CompensatedSum sum;
-  for (int p = 0; p < network.pores() - reservoir_pores; ++p) sum.add(network.pore_volume[to_size(p)]);
-  return sum.value();
+  return compensated_sum(std::span(network.pore_volume).first(to_size(network.pores() - reservoir_pores)));
 }
 
 /// Flow along the axis of the inlet, at the drop and the viscosity of the stage.

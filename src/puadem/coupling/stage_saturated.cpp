@@ -254,7 +254,7 @@ void run_saturated_stage(const Case& c, int index, State& state, const Observer&
 
   run_steps(k);
   grains.energy.is_kept = false;
-  release_fluid_forces(grains);
+  release_forces(grains);
   describe_saturated(c, stage, record, *state.saturated, grains, results);
   if (observer.message)
     observer.message(

@@ -226,7 +226,7 @@ void run_unsaturated_stage(const Case& c, int index, State& state, const Observe
   follow_path(u);
   if (stage.strain) strain_box(u);
   set_box_rate(u.grains(), {});
-  release_fluid_forces(u.grains());
+  release_forces(u.grains());
   describe_unsaturated(u.record(), u.fluids(), results);
   tell_end(u);
 }

@@ -53,8 +53,7 @@ void set_forces(const PoreNetwork& network, const Particles& particles, GrainSys
   const std::vector<double> pressure = effective_pressures(network, *cache.model, state.flow);
   state.forces = pressure_forces(network, cache.areas, pressure, {}, particles.size());
   state.tension = tension_forces(network, cache.areas, pressure, particles.size());
-  grains.external_force = state.forces.grain;
-  for (Wall& wall : grains.walls) wall.fluid_force = wall.face >= 0 ? state.forces.wall[to_size(wall.face)] : Vec3{};
+  freeze_forces(state.forces, grains);
 }
 
 struct Held {
@@ -70,12 +69,6 @@ Held held_by(const PoreNetwork& network, const UnsaturatedState& state, const Tw
     gas.add(network.pore_volume[to_size(p)] - w);
   }
   return {water.value(), gas.value()};
-}
-
-double sum_of(std::span<const double> values) {
-  CompensatedSum sum;
-  for (const double v : values) sum.add(v);
-  return sum.value();
 }
 
 [[noreturn]] void throw_vanished(const PoreNetwork& network, const MovedVoids& voids, int pore, long step) {
@@ -115,7 +108,7 @@ UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const Pore
   renew_cache(options, network, particles, grains.domain, state, cache);
   state.flow = start_two_phase(network, *cache.model);
   const Held held = held_by(network, state, *cache.model);
-  state.void_listed = sum_of(network.pore_volume);
+  state.void_listed = compensated_sum(network.pore_volume);
   state.water_start = held.water;
   state.gas_start = held.gas;
   set_forces(network, particles, grains, state, cache);
@@ -172,7 +165,7 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
   give_back_room(borrowed, voids.pore, state.flow);
   fill_reservoirs(*cache.model, voids.pore, state.flow);
 
-  const double strain = std::abs(sum_of(voids.pore) / state.void_listed - 1.0);
+  const double strain = std::abs(compensated_sum(voids.pore) / state.void_listed - 1.0);
   const bool is_deformed = voids.inverted >= 0 || !borrowed.empty() || strain > largest_strain ||
                            largest_displacement(state.place, centre) > options.remesh_displacement;
   if (is_deformed) {
@@ -184,7 +177,7 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
     state.flow = carry_fluids(network, voids.cell, former, rebuilt, *cache.model, state.flow, &state.pores_changed);
     state.cells_renewed += static_cast<long>(rebuilt.match.appeared.index.size());
     ++state.remeshes;
-    state.void_listed = sum_of(rebuilt.network.pore_volume);
+    state.void_listed = compensated_sum(rebuilt.network.pore_volume);
     network = std::move(rebuilt.network);
   } else {
     update_network_geometry(network, centre, particles.radius, domain, options.network);
