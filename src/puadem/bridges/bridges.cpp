@@ -25,10 +25,6 @@ double cube_of_reduced(const std::array<double, 2>& radius) {
 
 constexpr double least_of_willett = 1e-5, most_of_willett = 0.1;  // V / R*^3; some way below, its force vanishes in contact
 
-double most_volume(const BridgeModel& model) {
-  return model.law == Law::willett ? std::min(most_of_willett, model.table.most) : model.table.most;
-}
-
 BridgeCurve curve_of(const BridgeModel& model, const std::array<double, 2>& radius, double amount) {
   if (model.law == Law::willett) {
     const double scaled = amount / cube_of_reduced(radius);
@@ -124,11 +120,20 @@ int form_bridges(const BridgeModel& model, const BridgePairs& pairs, std::span<c
   return static_cast<int>(added);
 }
 
+std::array<double, 2> volume_range(const BridgeModel& model, const std::array<double, 2>& radius) {
+  const double cube = cube_of_reduced(radius);
+  const bool is_fit = model.law == Law::willett;
+  return {cube * (is_fit ? std::max(least_of_willett, model.table.least) : model.table.least),
+          cube * (is_fit ? std::min(most_of_willett, model.table.most) : model.table.most)};
+}
+
+void update_curve(const BridgeModel& model, Bridges& b, int k) {
+  const auto at = to_size(k);
+  b.curve[at] = curve_of(model, b.pairs.radius[at], is_at_suction(model) ? b.capillary_pressure[at] : b.volume[at]);
+}
+
 void update_curves(const BridgeModel& model, Bridges& b) {
-  parallel_for(b.size(), [&](int k) {
-    const auto at = to_size(k);
-    b.curve[at] = curve_of(model, b.pairs.radius[at], is_at_suction(model) ? b.capillary_pressure[at] : b.volume[at]);
-  });
+  parallel_for(b.size(), [&](int k) { update_curve(model, b, k); });
 }
 
 void update_forces(const BridgeModel& model, Bridges& b) {
@@ -190,7 +195,7 @@ void share_films(const BridgeModel& model, std::span<double> film, Bridges& b) {
   const std::vector<double> before(film.begin(), film.end());
   for (int k = 0; k < b.size(); ++k) {
     const auto at = to_size(k);
-    const double most = most_volume(model) * cube_of_reduced(b.pairs.radius[at]);
+    const double most = volume_range(model, b.pairs.radius[at])[1], held = b.volume[at];
     for (const int end : b.pairs.ends[at]) {
       if (!has_film(end)) continue;
       const auto on = to_size(end);
@@ -198,8 +203,8 @@ void share_films(const BridgeModel& model, std::span<double> film, Bridges& b) {
       b.volume[at] += given;
       film[on] -= given;
     }
+    if (b.volume[at] != held) update_curve(model, b, k);
   }
-  update_curves(model, b);
 }
 
 double rupture_work(const BridgeModel& model, const Bridges& b) {

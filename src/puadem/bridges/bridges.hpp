@@ -51,6 +51,13 @@ enum class BridgeFormation { at_contact, at_any_distance };
 int form_bridges(const BridgeModel& model, const BridgePairs& pairs, std::span<const double> amount, BridgeFormation formation,
                  Bridges& bridges);
 
+/// Least and most that a bridge of given volume may hold between two ends, by the table or the fit [m3].
+std::array<double, 2> volume_range(const BridgeModel& model, const std::array<double, 2>& radius);
+
+/// Curve of bridge k; due when its radii or its prescribed amount have changed.
+/// @throws InputError  where the amount lies outside the table or the fit
+void update_curve(const BridgeModel& model, Bridges& bridges, int k);
+
 /// Curves of all bridges; due when radii or prescribed amounts have changed.
 /// @throws InputError  where an amount lies outside the table or the fit
 void update_curves(const BridgeModel& model, Bridges& bridges);
@@ -77,7 +84,7 @@ struct RupturedBridge {
 std::vector<RupturedBridge> rupture_bridges(const BridgeModel& model, RuptureSplit split, Bridges& bridges);
 
 /// Gives liquid that lies on the ends to their bridges of given volume, to all bridges of an end alike, as far as the
-/// model reaches; the rest stays. Renews the curves.
+/// model reaches; the rest stays. Renews the curves of those that get some.
 /// @param film  per end: volume on it [m^3]; ends outside the span hold none
 void share_films(const BridgeModel& model, std::span<double> film, Bridges& bridges);
 

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "puadem/coupling/case_bridges.hpp"
 #include "puadem/coupling/saturated_stage.hpp"
 #include "puadem/coupling/two_phase_stage.hpp"
 #include "puadem/coupling/unsaturated_stage.hpp"
@@ -209,6 +210,7 @@ struct Case {
   std::vector<Material> materials;
   ContactOptions contact;
   MotionCase motion;
+  std::optional<BridgeCase> bridges;  ///< none: grains without liquid between them
   Fluids fluids;
   PoreOptions pores;
   std::vector<Stage> stages;

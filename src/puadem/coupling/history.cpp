@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "puadem/dem/contacts.hpp"
 #include "puadem/dem/fabric.hpp"
 #include "puadem/dem/guards.hpp"
 
@@ -29,6 +30,23 @@ void add_shear(const GrainSystem& s, const HistoryStart& start, HistoryRow& row)
   row.normal_stress = row.stress[axis];
   row.shear_stress =
       0.5 * (row.wall_force[to_size(2 * axis)][direction] - row.wall_force[to_size(2 * axis + 1)][direction]) / area;
+}
+
+BridgeRow bridge_row(const GrainSystem& s) {
+  BridgeRow row;
+  static_cast<BridgeMeasures&>(row) = measure_bridges(s);
+  int contacts = 0;
+  const auto add = [&](int slot) {
+    row.mean_contact_force += s.slot[to_size(slot)].force[3];
+    ++contacts;
+  };
+  for_each_grain_contact(s, [&](int, int, const Vec3&, int slot) { add(slot); });
+  for_each_wall_contact(s, [&](int, int, const Vec3&, int slot) { add(slot); });
+  if (contacts > 0) row.mean_contact_force /= contacts;
+  const Tensor stress = bridge_stress(s);
+  row.stress = {stress[0].x, stress[1].y, stress[2].z};
+  row.mean_stress = trace(stress) / 3.0;
+  return row;
 }
 
 }  // namespace
@@ -73,6 +91,7 @@ void complete_row(const GrainSystem& s, const HistoryStart& start, HistoryRow& r
   row.rattlers = fabric.rattlers;
   row.sliding = fabric.sliding;
   row.fabric_anisotropy = fabric.deviatoric;
+  if (s.bridges) row.bridges = bridge_row(s);
 }
 
 }  // namespace puadem

@@ -1,13 +1,22 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "puadem/dem/boundary_program.hpp"
+#include "puadem/dem/bridge_measures.hpp"
 #include "puadem/dem/energy.hpp"
 #include "puadem/dem/stress.hpp"
 
 namespace puadem {
+
+/// Liquid bridges beside the contacts of the same moment.
+struct BridgeRow : BridgeMeasures {
+  double mean_contact_force = 0.0;  ///< normal, of all contacts [N]
+  double mean_stress = 0.0;         ///< p of the bridges alone, negative: tension [Pa]
+  Vec3 stress;                      ///< along x, y, z [Pa]
+};
 
 /// Grains and box at one time of a stage that loads them. Strains are logarithmic, from the start of the
 /// stage; compression and shortening are positive (theory 2.18).
@@ -30,6 +39,7 @@ struct HistoryRow : ProgramRow {
   std::array<double, 6> wall_position{};  ///< of each face along its axis [m]
   Energies energy;                        ///< since the start of the stage
   double energy_residual = 0.0;           ///< energy not accounted for since then [J]
+  std::optional<BridgeRow> bridges;       ///< of wet grains
 
   double void_ratio() const { return porosity / (1.0 - porosity); }
   double stress_ratio() const { return mean > 0.0 ? deviator / mean : 0.0; }

@@ -196,6 +196,7 @@ void tell_end(const Loading& l, const Stage& stage) {
 LoadingProgress begin_stage(const Case& c, int index, State& state, const Observer& observer) {
   const Stage& stage = c.stages[to_size(index)];
   GrainSystem& s = ready_grains(c, state, observer);
+  ready_bridges(c, s, observer);
   const GrainMeasures m = measure(s);
   LoadingProgress at;
   at.scale = loading_scale(c, s, state.particles, m);

@@ -54,7 +54,7 @@ PUADEM_CLONES void grain_blocks(const GrainLoop& loop, int begin, int end, Conta
       if (live != 0) clear(*loop.blocks, b, slot, loop.roll_slot);
       continue;
     }
-    live = 1;
+    live = bits(a.touching);
     const Quad drift_i = load<&GrainRecord::drift>(record, first[b]), drift_j = load<&GrainRecord::drift>(record, second[b]);
     const Quad turn_i = load<&GrainRecord::turn>(record, first[b]), turn_j = load<&GrainRecord::turn>(record, second[b]);
 
@@ -126,7 +126,7 @@ PUADEM_CLONES void wall_blocks(const WallLoop& loop, int begin, int end, Contact
       if (live != 0) clear(*loop.blocks, b, slot, loop.roll_slot);
       continue;
     }
-    live = 1;
+    live = bits(a.touching);
     const Quad drift = load<&GrainRecord::drift>(loop.record, grain);
     const Quad turn = load<&GrainRecord::turn>(loop.record, grain);
     const LaneVec3 velocity = drift.vector - speed;

@@ -7,8 +7,8 @@
 
 namespace puadem {
 
-// The arithmetic of four contacts at once, the same for grains and walls. Only contact_forces.cpp includes
-// it: the loops there are what is compiled for several machines.
+// The arithmetic of four contacts at once, the same for grains and walls. Only contact_forces.cpp and
+// bridge_forces.cpp include it: the loops there are what is compiled for several machines.
 
 /// Four quantities of four grains, one grain a lane.
 struct Quad {
@@ -175,6 +175,11 @@ PUADEM_INLINE ContactResponse<Lanes> finish(const Approach& a, const PairConstan
   slot[2] = ContactSlot{fz, mz};
   slot[3] = ContactSlot{fn, kn};
   return response;
+}
+
+/// One bit for every lane that touches.
+PUADEM_INLINE std::uint8_t bits(const LaneMask& m) {
+  return static_cast<std::uint8_t>((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8));
 }
 
 /// Empties a block that has lost its last contact.

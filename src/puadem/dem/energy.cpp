@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "puadem/dem/bridge_forces.hpp"
+#include "puadem/dem/bridge_measures.hpp"
 #include "puadem/dem/contact_forces.hpp"
 #include "puadem/dem/contacts.hpp"
 
@@ -60,6 +62,15 @@ double image_power(const GrainSystem& s, const Vec3& box_rate) {
     const Vec3 force = vec3(s.slot[to_size(slot)].force);
     for (int axis = 0; axis < 3; ++axis) power -= force[axis] * box_rate[axis] * (shift(j, axis) - shift(i, axis));
   });
+  if (!s.bridges) return power;
+  for_each_bridge(
+      s,
+      [&](int i, int j, int, int slot) {
+        const auto image = nearest_image(s, i, j);
+        const Vec3 force = vec3(s.slot[to_size(slot)].force);
+        for (int axis = 0; axis < 3; ++axis) power -= force[axis] * box_rate[axis] * image[to_size(axis)];
+      },
+      [](int, int, int, int) {});
   return power;
 }
 
@@ -71,6 +82,8 @@ Energies energies(const GrainSystem& s) {
   e.roll_work = s.energy.roll;
   e.viscous = s.energy.viscous;
   e.damping = s.energy.damping;
+  e.wetting = s.energy.wetting;
+  if (s.bridges) e.bridges = -bridge_energy(s);
   e.input = s.energy.walls + s.energy.box + s.energy.body;
   // A wall's work is booked with the velocities before and after a place: of the last displacement half is still to come.
   for (const Wall& wall : s.walls) e.input -= 0.5 * s.time_step * dot(wall.force, wall.velocity);

@@ -14,10 +14,12 @@ struct Energies {
   double roll_work = 0.0;   ///< all that rolling and twisting resistance took up
   double viscous = 0.0;
   double damping = 0.0;
-  double input = 0.0;  ///< work of walls, of the straining box, of gravity and external forces
+  double bridges = 0.0;  ///< of the surfaces of liquid bridges, over that of ruptured ones; negative
+  double wetting = 0.0;  ///< given off where liquid formed bridges or moved between them
+  double input = 0.0;    ///< work of walls, of the straining box, of gravity and external forces
 
-  double stored() const { return kinetic + normal; }
-  double taken() const { return shear_work + roll_work + viscous + damping; }
+  double stored() const { return kinetic + normal + bridges; }
+  double taken() const { return shear_work + roll_work + viscous + damping + wetting; }
 };
 
 /// Opens the book: energies from here on. Forces must be those of the present places.

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "puadem/base/large_array.hpp"
 #include "puadem/dem/contact_law.hpp"
+#include "puadem/dem/grain_bridges.hpp"
 #include "puadem/dem/lanes.hpp"
 #include "puadem/dem/material.hpp"
 #include "puadem/dem/particles.hpp"
@@ -56,7 +58,7 @@ struct ContactBlocks {
   LargeArray<LaneVec3> shear;          ///< history: shear force on the second grain [N]
   LargeArray<RollHistory> roll;        ///< empty unless contacts resist rolling
   LargeArray<ViscousHistory> viscous;  ///< empty unless contacts have a viscous part
-  std::vector<std::uint8_t> live;      ///< is any slot or history of the block not zero?
+  std::vector<std::uint8_t> live;      ///< bits of the lanes that touch; 0 where no slot or history of the block is set
   int size() const { return size_of(first); }
 };
 
@@ -71,6 +73,7 @@ struct EnergyBook {
   double box = 0.0;      ///< done by the straining of a box that the grains follow
   Vec3 last_box_rate;    ///< of the step before [m/s]
   double body = 0.0;     ///< done by gravity and external forces
+  double wetting = 0.0;  ///< given off where liquid forms bridges or moves between them
 };
 
 /// How grains are moved.
@@ -116,10 +119,12 @@ struct GrainSystem {
   ContactBlocks grain_contacts;
   ContactBlocks wall_contacts;
   std::vector<int> wall_start;     ///< blocks of wall w: wall_start[w] .. wall_start[w + 1]
-  LargeArray<ContactSlot> slot;    ///< of grain contacts, then of wall contacts
+  LargeArray<ContactSlot> slot;    ///< of grain contacts, of wall contacts, then of bridges in the order of their list
   LargeArray<RollSlot> roll_slot;  ///< like `slot`; empty unless contacts resist rolling
   LargeArray<int> row_start;       ///< slots of record k: row[row_start[k]] .. row[row_start[k + 1]], by identity of the partner
   LargeArray<int> row;             ///< 2 * slot + (is the grain the second one)
+
+  std::optional<GrainBridges> bridges;  ///< none: dry grains
 };
 
 /// A system that holds `particles` in a box with six walls or periodic faces, list and forces not yet made.

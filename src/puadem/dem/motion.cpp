@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "puadem/base/error.hpp"
+#include "puadem/dem/bridge_exchange.hpp"
 #include "puadem/dem/contact_forces.hpp"
 #include "puadem/dem/contacts.hpp"
 #include "puadem/dem/energy.hpp"
@@ -147,6 +148,7 @@ void evaluate_forces(GrainSystem& system) {
   renew_neighbour_list(system);
   update_images(system);
   update_contact_forces(system);
+  if (system.bridges) follow_bridges(system);
   system.is_evaluated = true;
 }
 

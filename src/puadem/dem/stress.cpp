@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "puadem/dem/bridge_measures.hpp"
 #include "puadem/dem/contact_forces.hpp"
 #include "puadem/dem/contacts.hpp"
 #include "puadem/dem/fabric.hpp"
@@ -37,9 +38,10 @@ GrainMeasures measure(const GrainSystem& s) {
     m.largest_overlap = std::max(m.largest_overlap, (r - norm(branch)) / r);
     ++m.contacts;
   });
+  if (s.bridges) m.bridge_stress = bridge_stress(s);
   for (unsigned a = 0; a < 3; ++a) {
     m.pair_stress[a] *= 1.0 / volume;
-    m.stress[a] = m.pair_stress[a] + walls[a] * (1.0 / volume);
+    m.stress[a] = m.pair_stress[a] + walls[a] * (1.0 / volume) + m.bridge_stress[a];
   }
   m.mean_stress = trace(m.stress) / 3.0;
   m.deviatoric_stress = deviatoric_invariant(m.stress);

@@ -9,8 +9,9 @@ namespace puadem {
 
 /// What a packing is like at the forces last evaluated. Compression positive.
 struct GrainMeasures {
-  Tensor stress{};                       ///< of the box, contacts with walls included [Pa], theory 2.13
+  Tensor stress{};                       ///< of the box, bridges and contacts with walls included [Pa], theory 2.13
   Tensor pair_stress{};                  ///< share of the contacts between grains [Pa]
+  Tensor bridge_stress{};                ///< share of the liquid bridges, those to walls included [Pa]
   std::array<double, 6> wall_stress{};   ///< normal stress on the box's faces [Pa]; 0 on periodic ones
   double mean_stress = 0.0;              ///< p, third of the trace of `stress` [Pa]
   double deviatoric_stress = 0.0;        ///< q = sqrt(3/2 s:s) of its deviator s [Pa]

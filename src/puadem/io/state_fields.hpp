@@ -44,15 +44,15 @@ void fields(auto& a, Is<Particles> auto& p) {
 }
 
 void fields(auto& a, Is<Energies> auto& e) {
-  auto& [kinetic, normal, shear, friction, shear_work, roll_work, viscous, damping, input] = e;
-  each(a, "kinetic normal shear friction shear_work roll_work viscous damping input", kinetic, normal, shear, friction,
-       shear_work, roll_work, viscous, damping, input);
+  auto& [kinetic, normal, shear, friction, shear_work, roll_work, viscous, damping, bridges, wetting, input] = e;
+  each(a, "kinetic normal shear friction shear_work roll_work viscous damping bridges wetting input", kinetic, normal, shear,
+       friction, shear_work, roll_work, viscous, damping, bridges, wetting, input);
 }
 
 void fields(auto& a, Is<EnergyBook> auto& book) {
-  auto& [is_kept, shear, roll, viscous, damping, walls, box, last_box_rate, body] = book;
-  each(a, "is_kept shear roll viscous damping walls box last_box_rate body", is_kept, shear, roll, viscous, damping, walls, box,
-       last_box_rate, body);
+  auto& [is_kept, shear, roll, viscous, damping, walls, box, last_box_rate, body, wetting] = book;
+  each(a, "is_kept shear roll viscous damping walls box last_box_rate body wetting", is_kept, shear, roll, viscous, damping, walls,
+       box, last_box_rate, body, wetting);
 }
 
 void fields(auto& a, Is<MotionOptions> auto& motion) {
@@ -76,18 +76,42 @@ void fields(auto& a, Is<ContactBlocks> auto& blocks) {
   each(a, "first second shear roll viscous live", first, second, shear, roll, viscous, live);
 }
 
+void fields(auto& a, Is<BridgePairs> auto& pairs) {
+  auto& [ends, radius, gap] = pairs;
+  each(a, "ends radius gap", ends, radius, gap);
+}
+
+void fields(auto& a, Is<Bridges> auto& b) {
+  // Curves follow from radii and amounts.
+  auto& [pairs, capillary_pressure, volume, force, curve] = b;
+  each(a, "pairs capillary_pressure volume force", pairs, capillary_pressure, volume, force);
+}
+
+void fields(auto& a, Is<GrainBridges> auto& g) {
+  // Model and rules follow from the case, the list from the bridges.
+  auto& [model, rules, suction, bridges, film, water_start, touched, formed, ruptured, list] = g;
+  each(a, "suction bridges film water_start touched formed ruptured", suction, bridges, film, water_start, touched, formed,
+       ruptured);
+}
+
 void fields(auto& a, Is<GrainSystem> auto& s) {
   // Pairs, contact and law follow from the case.
   auto& [domain, box_rate, walls, pairs, contact, law, motion, time_step, steps, is_evaluated, energy, external_force, owned,
          record, identity, image_owner, image_shift, skin, slack, grown, drift_limit, listed_at, listed_in, walls_listed_at,
-         listed_step, list_builds, grain_contacts, wall_contacts, wall_start, slot, roll_slot, row_start, row] = s;
+         listed_step, list_builds, grain_contacts, wall_contacts, wall_start, slot, roll_slot, row_start, row, bridges] = s;
   each(a, "domain box_rate walls motion time_step steps is_evaluated energy external_force owned record identity", domain,
        box_rate, walls, motion, time_step, steps, is_evaluated, energy, external_force, owned, record, identity);
   each(a, "image_owner image_shift skin slack grown drift_limit listed_at listed_in walls_listed_at listed_step list_builds",
        image_owner, image_shift, skin, slack, grown, drift_limit, listed_at, listed_in, walls_listed_at, listed_step,
        list_builds);
-  each(a, "grain_contacts wall_contacts wall_start slot roll_slot row_start row", grain_contacts, wall_contacts, wall_start, slot,
-       roll_slot, row_start, row);
+  each(a, "grain_contacts wall_contacts wall_start slot roll_slot row_start row bridges", grain_contacts, wall_contacts, wall_start,
+       slot, roll_slot, row_start, row, bridges);
+}
+
+void fields(auto& a, Is<BridgeRow> auto& row) {
+  each(a, "bridges water film water_error mean_force coordination formed ruptured", row.bridges, row.water, row.film,
+       row.water_error, row.mean_force, row.coordination, row.formed, row.ruptured);
+  each(a, "mean_contact_force mean_stress stress", row.mean_contact_force, row.mean_stress, row.stress);
 }
 
 void fields(auto& a, Is<HistoryRow> auto& row) {
@@ -98,7 +122,8 @@ void fields(auto& a, Is<HistoryRow> auto& row) {
        row.coordination_inner);
   each(a, "coordination_mechanical rattlers sliding fabric_anisotropy largest_overlap", row.coordination_mechanical, row.rattlers,
        row.sliding, row.fabric_anisotropy, row.largest_overlap);
-  each(a, "wall_force wall_position energy energy_residual", row.wall_force, row.wall_position, row.energy, row.energy_residual);
+  each(a, "wall_force wall_position energy energy_residual bridges", row.wall_force, row.wall_position, row.energy,
+       row.energy_residual, row.bridges);
 }
 
 void fields(auto& a, Is<HistoryStart> auto& start) {

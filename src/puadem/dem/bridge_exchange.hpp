@@ -1,0 +1,26 @@
+#pragma once
+
+#include "puadem/dem/grain_system.hpp"
+
+namespace puadem {
+
+/// Liquid to begin with: a suction, or a volume.
+struct BridgeSupply {
+  double suction = 0.0;  ///< of all bridges, where the model is of given suction [Pa]
+  double each = 0.0;     ///< of every bridge [m3]
+  double total = 0.0;    ///< in place of `each`: of all, shared as small bridges of one suction share it (theory 8.7) [m3]
+};
+
+/// Puts the first bridges between grains, and between grains and walls.
+/// @pre the forces are those of the present places
+/// @throws InputError  no pair that could carry a bridge, more liquid than bridges hold, a periodic box too narrow for them
+void wet_grains(GrainSystem& system, const BridgeModel& model, const BridgeRules& rules, const BridgeSupply& supply);
+
+/// What a step does with the bridges once contacts are evaluated: forces; and from time to time rupture, and new bridges
+/// where ends have touched since.
+void follow_bridges(GrainSystem& system);
+
+/// Bridges of a system that was read: what follows from the case and from what stands in it already.
+void restore_bridges(GrainSystem& system, const BridgeModel& model, const BridgeRules& rules);
+
+}  // namespace puadem

@@ -1,0 +1,64 @@
+#include "puadem/io/case_schema.hpp"
+#include "puadem/io/key_builders.hpp"
+
+namespace puadem {
+
+namespace {
+
+const Section<BridgeCase>& bridges_section() {
+  using Rules = BridgeRules;
+  const auto formation = [](auto& b) -> auto& { return b.rules.formation; };
+  static const Section<BridgeCase> section{{
+      bind_choice<BridgeCase>(
+          choice("control", {"suction", "volume"},
+                 "what a bridge keeps while its ends move: the suction, as if joined to much more water, or its volume"),
+          &BridgeCase::control),
+      bind<BridgeCase>(noted(quantity("capillary_pressure", "Pa", above(0), between(10, 1e7), R"("10 kPa")",
+                                      "of all bridges, with control = \"suction\""),
+                             "required there"),
+                       &BridgeCase::capillary_pressure),
+      bind<BridgeCase>(noted(number("water_content", Interval{0, 1, true, false},
+                                    "mass of water over mass of grains, with control = \"volume\": shared as bridges of one "
+                                    "suction would share it",
+                                    between(1e-6, 0.2)),
+                             "this, saturation or volume is required there"),
+                       &BridgeCase::water_content),
+      bind<BridgeCase>(noted(number("saturation", Interval{0, 1, true, false},
+                                    "volume of water over volume of the void, in place of water_content", between(1e-6, 0.3)),
+                             "water_content or volume"),
+                       &BridgeCase::saturation),
+      bind<BridgeCase>(noted(quantity("volume", "m3", above(0), {}, R"("1e-13 m3")",
+                                      "of every bridge that is there at the start, in place of water_content"),
+                             "water_content or saturation"),
+                       &BridgeCase::volume),
+      bind_choice<BridgeCase>(choice("law", {"table", "willett", "soulie"},
+                                     "forces and rupture: exact by a table of the Young-Laplace equation, or a published fit of "
+                                     "given volume"),
+                              &BridgeCase::law),
+      bind_nested_choice<BridgeCase>(
+          choice("formation", {"at-contact", "at-any-distance"},
+                 "where the first bridges stand: where grains touch, as when they get wet; or wherever one can, as when a "
+                 "packing has dried; later ones form at contact"),
+          formation),
+      bind_nested_choice<BridgeCase>(
+          choice("rupture", {"halves", "neck"}, "how a ruptured bridge leaves its water to its grains: in halves, or divided at "
+                                                "its neck"),
+          [](auto& b) -> auto& { return b.rules.split; }),
+      bind_nested_choice<BridgeCase>(
+          choice("exchange", {"neighbours", "films"},
+                 "what water left on a grain does, at given volume: it goes to the grain's other bridges, which give each new one "
+                 "its share; or it stays until the grain touches something"),
+          [](auto& b) -> auto& { return b.rules.exchange; }),
+  }};
+  return section;
+}
+
+}  // namespace
+
+Field<Case> bridges_field() {
+  return bind_table<Case>(
+      plain("bridges", "a table", "liquid bridges between grains, in the stages that load them; needs no other key of fluids"),
+      bridges_section, &Case::bridges);
+}
+
+}  // namespace puadem
