@@ -50,6 +50,18 @@ inline Case loading_case() {
   return c;
 }
 
+/// Liquid bridges that form and rupture, across periodic faces and at walls.
+inline Case wet_case() {
+  Case c = grains_of(200, {1, 1, 1});
+  c.domain.periodic = {true, true, false};
+  c.bridges.emplace().water_content = 0.005;
+  StrainStage strain;
+  strain.strain_rate = {5.0, 0.0, -20.0};
+  strain.time = 4e-3;
+  c.stages.emplace_back(strain);
+  return c;
+}
+
 inline Case retention_case() {
   Case c = grains_of(250, {1, 1, 1});
   RetentionStage retention;
@@ -122,9 +134,10 @@ inline Case saturated_case() {
 }
 
 inline std::vector<ResumableCase> resumable_cases() {
-  return {{"Loading", loading_case, 10},       {"Retention", retention_case, 3}, {"Implicit", implicit_case, 20},
-          {"IdealGas", ideal_gas_case, 20},    {"Impes", impes_case, 20},        {"Saturated", saturated_case, 5},
-          {"Unsaturated", unsaturated_case, 3}};
+  return {{"Loading", loading_case, 10},    {"Wet", wet_case, 5},
+          {"Retention", retention_case, 3}, {"Implicit", implicit_case, 20},
+          {"IdealGas", ideal_gas_case, 20}, {"Impes", impes_case, 20},
+          {"Saturated", saturated_case, 5}, {"Unsaturated", unsaturated_case, 3}};
 }
 
 struct Outcome {
@@ -144,6 +157,14 @@ inline void expect_same_run(const Outcome& a, const Outcome& b) {
     EXPECT_EQ(a.state.history[k].step, b.state.history[k].step);
     EXPECT_EQ(a.state.history[k].stress, b.state.history[k].stress);
     EXPECT_EQ(a.state.history[k].energy_residual, b.state.history[k].energy_residual);
+  }
+  ASSERT_EQ(a.state.grains.has_value() && a.state.grains->bridges, b.state.grains.has_value() && b.state.grains->bridges);
+  if (a.state.grains && a.state.grains->bridges) {
+    const GrainBridges &one = *a.state.grains->bridges, &other = *b.state.grains->bridges;
+    EXPECT_EQ(one.bridges.pairs.ends, other.bridges.pairs.ends);
+    EXPECT_EQ(one.bridges.volume, other.bridges.volume);
+    EXPECT_EQ(one.film, other.film);
+    EXPECT_GT(one.ruptured, 0);
   }
   ASSERT_EQ(a.state.retention.size(), b.state.retention.size());
   for (std::size_t k = 0; k < a.state.retention.size(); ++k)

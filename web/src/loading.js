@@ -105,6 +105,7 @@ function energy(stage, number, letter) {
       : [["taken up in shear", since(e.shear_work), "#d1561b", "solid"]]),
     ["taken up in rolling", since(e.rolling), "#5a4fb0", "7px,3px"], ["lost in viscous contacts", since(e.viscous), "#b8860b", "7px,3px"],
     ["lost to damping", since(e.damping), "#8c96a1", "7px,3px"], ["kinetic", since(e.kinetic), "#a63a6a", "2px,2px"],
+    ["of liquid bridges", since(e.bridges), "#2a9fd6", "solid"], ["given off where bridges formed", since(e.wetting), "#2a9fd6", "2px,2px"],
   ];
   const largest = Math.max(...terms.flatMap(([, values]) => values.map(Math.abs)), Number.MIN_VALUE);
   const [scale, unit] = largest >= 1 ? [1, "J"] : largest >= 1e-3 ? [1e3, "mJ"] : largest >= 1e-6 ? [1e6, "µJ"] : [1e9, "nJ"];
@@ -119,6 +120,29 @@ function energy(stage, number, letter) {
     caption: element("figcaption", {}, element("b", {}, `Figure ${number}${letter}. `), "Work put in since the start of the stage, and where it went; terms below 0.2 % are left out.") });
 }
 
+/** Forces of contacts and of liquid bridges side by side, or how many bridges there are and what they hold. */
+function bridges(stage, number, letter) {
+  const x = stage.kind === "shear" ? shearStrain : stage.kind === "isotropic" || stage.kind === "settle" ? { title: "Time (s)", of: (s) => s.time, column: "time_s" } : axialStrain;
+  const b = stage.bridges;
+  const micro = (values) => values.map((v) => 1e6 * v);
+  const views = {
+    force: { title: "Mean force (µN)", curves: [["contacts, normal", micro(b.contact_force)], ["bridges, of attraction", micro(b.force)]] },
+    stress: { title: "Mean stress (Pa)", curves: [["all", stage.p], ["bridges alone", b.stress]] },
+    count: { title: "Bridges of a grain", curves: [["bridges of a grain", b.per_grain]] },
+    water: { title: "Water (mm³)", curves: [["in bridges", b.water.map((v) => 1e9 * v)], ["on grains", b.films.map((v) => 1e9 * v)]] },
+  };
+  let shown = "force";
+  const draw = () => ({
+    data: views[shown].curves.map(([name, values], k) => ({ x: x.of(stage), y: values, name, mode: "lines", line: { color: own[k], dash: dashes[k], width: 1.7 }, hovertemplate: "%{x:.4~g}, %{y:.4~g}<extra>%{fullData.name}</extra>" })),
+    layout: layout([x.title, {}], [views[shown].title, {}], above(views[shown].curves.length)),
+  });
+  const columns = Object.values(views).flatMap((view) => view.curves.map(([name, values]) => [`${name}, ${view.title}`, values]));
+  return figure({ name: `bridges-${stage.name}`, title: `Liquid bridges, ${stage.name}`, size: "low", draw,
+    switches: [choice("quantity", [["force", "forces"], ["stress", "stress"], ["count", "number"], ["water", "water"]], (key) => { shown = key; })],
+    series: () => [[x.column, ...columns.map(([name]) => name)], x.of(stage).map((value, k) => [value, ...columns.map(([, values]) => values[k])])],
+    caption: element("figcaption", {}, element("b", {}, `Figure ${number}${letter}. `), "Contacts and liquid bridges between the same grains.") });
+}
+
 /** Sections [title, figures] of all that was loaded; figures are counted from `first`. */
 export function loadingSections(runs, first) {
   const sections = [];
@@ -127,7 +151,8 @@ export function loadingSections(runs, first) {
     if (!has(kinds)) return;
     const figures = make(first + sections.length);
     const last = runs[0].loading.filter((stage) => kinds.includes(stage.kind)).pop();
-    if (last && !kinds.includes("settle")) figures.push(energy(last, first + sections.length, "abcd"[figures.length]));
+    if (last && !kinds.includes("settle")) figures.push(energy(last, first + sections.length, "abcde"[figures.length]));
+    if (last && last.bridges) figures.push(bridges(last, first + sections.length, "abcde"[figures.length]));
     sections.push([title, figures]);
   };
   add("Coming to rest", ["isotropic", "settle"], (n) => rest(runs, n));

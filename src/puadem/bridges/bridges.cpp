@@ -208,9 +208,9 @@ void share_films(const BridgeModel& model, std::span<double> film, Bridges& b) {
 }
 
 double rupture_work(const BridgeModel& model, const Bridges& b) {
-  const auto work = [&](int k) {
+  const auto work_from = [&](int k, double gap) {
     const auto at = to_size(k);
-    const double gap = std::max(b.pairs.gap[at], 0.0), reach = rupture_distance(model, b, k);
+    const double reach = rupture_distance(model, b, k);
     if (gap >= reach) return 0.0;
     if (model.law == Law::table) return bridge_work(b.curve[at], gap);
     constexpr int points = 256;  // of the force over sqrt(distance to rupture)
@@ -220,6 +220,11 @@ double rupture_work(const BridgeModel& model, const Bridges& b) {
       sum += 2.0 * zeta * pull_of(model, b, k, reach - (reach - gap) * zeta * zeta);
     }
     return 2.0 * pi * (reach - gap) * sum / points;
+  };
+  // Ends that overlap have the force of contact on the way to it.
+  const auto work = [&](int k) {
+    const double gap = b.pairs.gap[to_size(k)];
+    return gap >= 0.0 ? work_from(k, gap) : work_from(k, 0.0) - 2.0 * pi * pull_of(model, b, k, 0.0) * gap;
   };
   return model.surface_tension * parallel_sum<double>(b.size(), work);
 }

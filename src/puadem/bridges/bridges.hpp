@@ -88,7 +88,8 @@ std::vector<RupturedBridge> rupture_bridges(const BridgeModel& model, RuptureSpl
 /// @param film  per end: volume on it [m^3]; ends outside the span hold none
 void share_films(const BridgeModel& model, std::span<double> film, Bridges& bridges);
 
-/// Work that it takes to rupture all bridges by pulling their ends apart [J]: what they lower the energy by.
+/// Work that it takes to rupture all bridges by pulling their ends apart [J]: what they lower the energy by. Ends
+/// that overlap are pulled with the force of contact on the way to it.
 double rupture_work(const BridgeModel& model, const Bridges& bridges);
 
 }  // namespace puadem

@@ -35,7 +35,7 @@ BridgeModel bridge_model(const Case& c) {
 void ready_bridges(const Case& c, GrainSystem& s, const Observer& observer) {
   if (!c.bridges || s.bridges) return;
   evaluate_forces(s);
-  wet_grains(s, bridge_model(c), c.bridges->rules, supply_of(c, s));
+  wet_grains(s, bridge_model(c), *c.bridges, supply_of(c, s));
   if (!observer.message) return;
   const BridgeMeasures m = measure_bridges(s);
   observer.message(fmt::format("{} liquid bridges of {:.4g} m3 of water, {:.3g} N each on average, {:.3g} a grain", m.bridges,

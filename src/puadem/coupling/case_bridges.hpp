@@ -8,7 +8,7 @@ namespace puadem {
 
 /// The table [bridges]: liquid between grains in the stages that load them. Surface tension and contact angle are those of
 /// the fluids.
-struct BridgeCase {
+struct BridgeCase : BridgeRules {
   BridgeControl control = BridgeControl::volume;
   std::optional<double> capillary_pressure;  ///< at given suction [Pa]
   // At given volume one of these.
@@ -16,7 +16,6 @@ struct BridgeCase {
   std::optional<double> saturation;     ///< volume of water over that of the void [-]
   std::optional<double> volume;         ///< of every bridge [m3]
   BridgeModel::Law law = BridgeModel::Law::table;
-  BridgeRules rules;
 };
 
 struct Case;

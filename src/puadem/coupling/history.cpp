@@ -46,6 +46,13 @@ BridgeRow bridge_row(const GrainSystem& s) {
   const Tensor stress = bridge_stress(s);
   row.stress = {stress[0].x, stress[1].y, stress[2].z};
   row.mean_stress = trace(stress) / 3.0;
+  double solid = 0.0, diameter = 0.0;
+  for (int k = 0; k < s.owned; ++k) {
+    const double r = radius_of(s.record[to_size(k)]);
+    solid += 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    diameter += 2.0 * r / s.owned;
+  }
+  row.rumpf_strength = solid / s.domain.volume() * row.coordination * row.mean_force / (std::numbers::pi * diameter * diameter);
   return row;
 }
 

@@ -16,6 +16,7 @@ struct BridgeRow : BridgeMeasures {
   double mean_contact_force = 0.0;  ///< normal, of all contacts [N]
   double mean_stress = 0.0;         ///< p of the bridges alone, negative: tension [Pa]
   Vec3 stress;                      ///< along x, y, z [Pa]
+  double rumpf_strength = 0.0;      ///< tensile strength of a random packing by Rumpf's rule, theory 8.7 [Pa]
 };
 
 /// Grains and box at one time of a stage that loads them. Strains are logarithmic, from the start of the

@@ -130,7 +130,8 @@ LoadingProgram loading_program(const StrainStage& stage, const Case&, const Load
     } else {
       rate = std::max(rate, std::abs(stage.strain_rate[axis]));
     }
-  const double pressure = stresses > 0 ? held / stresses : mean(scale.stress);
+  // Between wet grains at no stress the contacts carry what the bridges pull.
+  const double pressure = (stresses > 0 ? held / stresses : mean(scale.stress)) + scale.bridge_stress;
   LoadingProgram program = program_at(scale, pressure, rate, stage.damping);
   BoxProgram box = box_of(program, scale);
   box.stress = stage.stress;

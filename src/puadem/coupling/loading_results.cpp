@@ -70,6 +70,30 @@ void describe(const ShearStage&, Rows rows, const std::string& name, RunResults&
 
 void describe(const auto&, Rows, const std::string&, RunResults&) {}
 
+/// Tension along the axis that bears most of it [Pa]; 0 where none does.
+double tension(const HistoryRow& r) { return std::max({-r.stress.x, -r.stress.y, -r.stress.z, 0.0}); }
+
+void describe_bridges(Rows rows, const std::string& name, RunResults& results) {
+  auto& s = results.scalars;
+  const HistoryRow &first = rows.front(), &last = rows.back();
+  s[name + "_bridges"] = last.bridges->bridges;
+  s[name + "_bridges_per_grain"] = last.bridges->coordination;
+  s[name + "_bridge_force_N"] = last.bridges->mean_force;
+  s[name + "_contact_force_N"] = last.bridges->mean_contact_force;
+  s[name + "_bridge_stress_Pa"] = last.bridges->mean_stress;
+  s[name + "_bridge_water_m3"] = last.bridges->water;
+  s[name + "_bridges_formed"] = static_cast<double>(last.bridges->formed - first.bridges->formed);
+  s[name + "_bridges_ruptured"] = static_cast<double>(last.bridges->ruptured - first.bridges->ruptured);
+  s[name + "_water_error"] = std::abs(
+      std::ranges::max_element(rows, {}, [](const auto& r) { return std::abs(r.bridges->water_error); })->bridges->water_error);
+  const HistoryRow& peak = *std::ranges::max_element(rows, {}, tension);
+  if (tension(peak) == 0.0) return;
+  s[name + "_peak_tension_Pa"] = tension(peak);
+  s[name + "_peak_tension_strain"] = peak.strain.z;
+  s[name + "_rumpf_strength_Pa"] = first.bridges->rumpf_strength;
+  s[name + "_peak_tension_over_rumpf"] = tension(peak) / first.bridges->rumpf_strength;
+}
+
 }  // namespace
 
 double mobilised_friction(const HistoryRow& row) {
@@ -134,6 +158,7 @@ void describe_loading(const Stage& stage, const std::string& name, const Loading
   const double missing =
       std::abs(std::ranges::max_element(rows, {}, [](const auto& r) { return std::abs(r.energy_residual); })->energy_residual);
   if (turned_over > 0.0) s[name + "_energy_residual"] = missing / turned_over;
+  if (first.bridges && last.bridges) describe_bridges(rows, name, results);
   std::visit([&](const auto& one) { describe(one, rows, name, results); }, stage);
 }
 

@@ -22,6 +22,7 @@ LoadingScale loading_scale(const Case& c, const GrainSystem& s, const Particles&
   scale.density = mass / volume;
   scale.size = s.domain.size();
   scale.stress = axis_stress(s, m);
+  scale.bridge_stress = -trace(m.bridge_stress) / 3.0;
   return scale;
 }
 

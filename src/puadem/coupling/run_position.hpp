@@ -18,6 +18,7 @@ struct LoadingScale {
   double youngs_modulus = 0.0;  ///< [Pa]
   Vec3 size;                    ///< of the box [m]
   Vec3 stress;                  ///< along the axes at the start [Pa]
+  double bridge_stress = 0.0;   ///< mean tension that liquid bridges add to the contacts' stress then [Pa]
 };
 
 /// How far a stage that loads the grains has come.

@@ -65,7 +65,11 @@ PUADEM_CLONES void bridge_blocks(const BridgeLoop& loop, int begin, int end) {
     if (loop.by_series) {
       const LaneMask is_apart = block.gap > zero;
       block.force = block.at_contact;
-      if (any(is_apart)) block.force = force_apart(block, loop.series[b], is_apart ? block.gap : zero, loop.linear);
+      if (any(is_apart)) {
+        // To the last bit the same beside any neighbours in the block.
+        const Lanes apart = force_apart(block, loop.series[b], is_apart ? block.gap : zero, loop.linear);
+        block.force = is_apart ? apart : block.at_contact;
+      }
     }
     // Empty lanes join the dummy to itself and pull with nothing.
     const Lanes pull = block.force / (length > zero ? length : broadcast(1.0));

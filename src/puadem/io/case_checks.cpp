@@ -9,6 +9,7 @@
 #include "puadem/base/parallel.hpp"
 #include "puadem/dem/grain_statistics.hpp"
 #include "puadem/geometry/domain.hpp"
+#include "puadem/io/case_checks_bridges.hpp"
 #include "puadem/io/case_checks_coupled.hpp"
 #include "puadem/io/case_checks_two_phase.hpp"
 #include "puadem/io/case_file.hpp"
@@ -347,6 +348,7 @@ void check_case(const TomlValue& tree, Case& c, Problems& problems) {
     check_grains(tree, c, problems);
     check_pores(tree, c, problems);
     check_materials(tree, c, problems);
+    check_bridges(tree, c, problems);
   }
   check_stages(tree, c, problems);
   check_overlays(tree, c, problems);

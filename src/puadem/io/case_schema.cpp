@@ -229,6 +229,7 @@ const Section<Case>& case_section() {
       only_with_grains(materials_field()),
       only_with_grains(bind_table<Case>(plain("contact", "a table", "contacts of grains"), contact_section, &Case::contact)),
       only_with_grains(bind_table<Case>(plain("motion", "a table", "how grains are moved"), motion_section, &Case::motion)),
+      only_with_grains(bridges_field()),
       network_field(),
       bind_table<Case>(plain("fluids", "a table", "the two fluids"), fluids_section, &Case::fluids),
       pores_field(),

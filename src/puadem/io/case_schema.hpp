@@ -17,6 +17,9 @@ const Section<ContactOptions>& contact_section();
 /// The table [pores].
 const Section<PoreOptions>& pores_section();
 
+/// The table [bridges].
+Field<Case> bridges_field();
+
 /// The table [network], in place of grains.
 Field<Case> network_field();
 

@@ -6,8 +6,6 @@ namespace puadem {
 namespace {
 
 const Section<BridgeCase>& bridges_section() {
-  using Rules = BridgeRules;
-  const auto formation = [](auto& b) -> auto& { return b.rules.formation; };
   static const Section<BridgeCase> section{{
       bind_choice<BridgeCase>(
           choice("control", {"suction", "volume"},
@@ -35,20 +33,21 @@ const Section<BridgeCase>& bridges_section() {
                                      "forces and rupture: exact by a table of the Young-Laplace equation, or a published fit of "
                                      "given volume"),
                               &BridgeCase::law),
-      bind_nested_choice<BridgeCase>(
+      bind_choice<BridgeCase>(
           choice("formation", {"at-contact", "at-any-distance"},
                  "where the first bridges stand: where grains touch, as when they get wet; or wherever one can, as when a "
                  "packing has dried; later ones form at contact"),
-          formation),
-      bind_nested_choice<BridgeCase>(
-          choice("rupture", {"halves", "neck"}, "how a ruptured bridge leaves its water to its grains: in halves, or divided at "
-                                                "its neck"),
-          [](auto& b) -> auto& { return b.rules.split; }),
-      bind_nested_choice<BridgeCase>(
-          choice("exchange", {"neighbours", "films"},
-                 "what water left on a grain does, at given volume: it goes to the grain's other bridges, which give each new one "
-                 "its share; or it stays until the grain touches something"),
-          [](auto& b) -> auto& { return b.rules.exchange; }),
+          &BridgeCase::formation),
+      bind_choice<BridgeCase>(choice("rupture", {"halves", "neck"},
+                                     "how a ruptured bridge leaves its water to its grains: in halves, or divided at "
+                                     "its neck"),
+                              &BridgeCase::split),
+      bind_choice<BridgeCase>(
+          choice(
+              "exchange", {"neighbours", "films"},
+              "what water left on a grain does, at given volume: it goes to the grain's other bridges, which give each new one "
+              "its share; or it stays until the grain touches something"),
+          &BridgeCase::exchange),
   }};
   return section;
 }
@@ -56,9 +55,8 @@ const Section<BridgeCase>& bridges_section() {
 }  // namespace
 
 Field<Case> bridges_field() {
-  return bind_table<Case>(
-      plain("bridges", "a table", "liquid bridges between grains, in the stages that load them; needs no other key of fluids"),
-      bridges_section, &Case::bridges);
+  return bind_table<Case>(plain("bridges", "a table", "liquid bridges between grains, in the stages that load them"),
+                          bridges_section, &Case::bridges);
 }
 
 }  // namespace puadem

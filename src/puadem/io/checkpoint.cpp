@@ -16,7 +16,7 @@ void complete_state(const Case& c, State& state) {
     state.grains->pairs = material_pairs(c.materials, c.contact);
     state.grains->contact = c.contact;
     state.grains->law = contact_law(c.contact.law);
-    if (state.grains->bridges) restore_bridges(*state.grains, bridge_model(c), c.bridges->rules);
+    if (state.grains->bridges) restore_bridges(*state.grains, bridge_model(c), *c.bridges);
   }
   if (!state.invasion) return;
   const RetentionStage* stage = nullptr;  // the last that has begun

@@ -67,10 +67,12 @@ void record_compaction(ResultsFolder& folder, const Progress& p) {
   series(folder, folder.compaction, "compaction.csv", compaction_header).append(compaction_line(p));
 }
 
-/// Grains, and contacts where the engine has them.
+/// Grains, and contacts and bridges where the engine has them.
 void write_grains(ResultsFolder& folder, const State& state) {
   write_frame(folder, folder.grain_frames, "grains", state.time, grain_fields(state));
-  if (state.grains) write_frame(folder, folder.contact_frames, "contacts", state.time, contact_fields(state));
+  if (!state.grains) return;
+  write_frame(folder, folder.contact_frames, "contacts", state.time, contact_fields(state));
+  if (state.grains->bridges) write_frame(folder, folder.bridge_frames, "bridges", state.time, bridge_fields(state));
 }
 
 void write_distributions(ResultsFolder& folder, const State& state) {
@@ -140,7 +142,7 @@ void record_permeability(ResultsFolder& folder, const Case& c, const State& stat
 }
 
 void record_history(ResultsFolder& folder, const Case& c, const State& state, const HistoryRow& row) {
-  AppendFile& history = series(folder, folder.history, "history.csv", history_header(state.domain));
+  AppendFile& history = series(folder, folder.history, "history.csv", history_header(state.domain, c.bridges.has_value()));
   history.append(history_line(row, state.domain));
   history.flush();
   folder.has_result = true;

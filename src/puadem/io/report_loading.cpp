@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "puadem/io/report_column.hpp"
@@ -20,11 +21,25 @@ json energy_json(Rows rows) {
           {"rolling", term(&Energies::roll_work)},
           {"viscous", term(&Energies::viscous)},
           {"damping", term(&Energies::damping)},
+          {"bridges", term(&Energies::bridges)},
+          {"wetting", term(&Energies::wetting)},
           {"input", term(&Energies::input)}};
 }
 
 /// "triaxial-2" -> "triaxial".
 std::string kind_in(const std::string& stage) { return stage.substr(0, stage.find('-')); }
+
+/// Liquid bridges beside contacts; null for dry grains.
+json bridges_json(Rows rows) {
+  if (!std::ranges::all_of(rows, [](const HistoryRow& r) { return r.bridges.has_value(); })) return nullptr;
+  const auto term = [&](const auto& of) { return column(rows, [&](const HistoryRow& r) { return of(*r.bridges); }); };
+  return {{"per_grain", term([](const BridgeRow& b) { return b.coordination; })},
+          {"force", term([](const BridgeRow& b) { return b.mean_force; })},
+          {"contact_force", term([](const BridgeRow& b) { return b.mean_contact_force; })},
+          {"stress", term([](const BridgeRow& b) { return b.mean_stress; })},
+          {"water", term([](const BridgeRow& b) { return b.water; })},
+          {"films", term([](const BridgeRow& b) { return b.film; })}};
+}
 
 json stage_json(Rows rows) {
   return {{"name", rows.front().stage},
@@ -41,6 +56,7 @@ json stage_json(Rows rows) {
           {"shear_stress", column(rows, [](const auto& r) { return r.shear_stress; })},
           {"unbalanced", column(rows, [](const auto& r) { return r.unbalanced; })},
           {"coordination", column(rows, [](const auto& r) { return r.coordination; })},
+          {"bridges", bridges_json(rows)},
           {"energy", energy_json(rows)}};
 }
 

@@ -39,7 +39,8 @@ struct RecordingMemory {
   double wall_time_before = 0.0;      ///< of a run that was taken up again, until then [s]
   std::string started_utc;            ///< ISO 8601
   bool has_result = false;            ///< a packing or an equilibrium is on disk
-  std::vector<VtkFrame> grain_frames, contact_frames, pore_frames, throat_frames, flow_pore_frames, flow_throat_frames;
+  std::vector<VtkFrame> grain_frames, contact_frames, bridge_frames, pore_frames, throat_frames, flow_pore_frames,
+      flow_throat_frames;
   bool has_distributions = false;
   int equilibria = 0;
   long events_seen = 0;

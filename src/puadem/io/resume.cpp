@@ -46,11 +46,12 @@ void fields(auto& a, Is<FlowPicture> auto& picture) {
 }
 
 void fields(auto& a, Is<RecordingMemory> auto& memory) {
-  auto& [warnings, wall_time_before, started_utc, has_result, grain_frames, contact_frames, pore_frames, throat_frames,
-         flow_pore_frames, flow_throat_frames, has_distributions, equilibria, events_seen, history_stage, fields_written,
-         flow_events_seen, pictures, unsaturated_pictures, last_stage, checkpoints, files, lengths] = memory;
-  each(a, "warnings wall_time_before started_utc has_result grain_frames contact_frames pore_frames throat_frames", warnings,
-       wall_time_before, started_utc, has_result, grain_frames, contact_frames, pore_frames, throat_frames);
+  auto& [warnings, wall_time_before, started_utc, has_result, grain_frames, contact_frames, bridge_frames, pore_frames,
+         throat_frames, flow_pore_frames, flow_throat_frames, has_distributions, equilibria, events_seen, history_stage,
+         fields_written, flow_events_seen, pictures, unsaturated_pictures, last_stage, checkpoints, files, lengths] = memory;
+  each(a, "warnings wall_time_before started_utc has_result grain_frames contact_frames bridge_frames pore_frames throat_frames",
+       warnings, wall_time_before, started_utc, has_result, grain_frames, contact_frames, bridge_frames, pore_frames,
+       throat_frames);
   each(a, "flow_pore_frames flow_throat_frames has_distributions equilibria events_seen history_stage fields_written",
        flow_pore_frames, flow_throat_frames, has_distributions, equilibria, events_seen, history_stage, fields_written);
   each(a, "flow_events_seen pictures unsaturated_pictures last_stage checkpoints files lengths", flow_events_seen, pictures,
@@ -101,8 +102,8 @@ void write_next_checkpoint(ResultsFolder& folder, const Case& c, const State& st
 /// Takes away what the run wrote after the checkpoint.
 void cut_back(const ResultsFolder& folder) {
   std::set<std::string> fields, series;
-  for (const auto* frames : {&folder.grain_frames, &folder.contact_frames, &folder.pore_frames, &folder.throat_frames,
-                             &folder.flow_pore_frames, &folder.flow_throat_frames})
+  for (const auto* frames : {&folder.grain_frames, &folder.contact_frames, &folder.bridge_frames, &folder.pore_frames,
+                             &folder.throat_frames, &folder.flow_pore_frames, &folder.flow_throat_frames})
     for (const VtkFrame& frame : *frames) fields.insert(frame.file);
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder.path / "fields", ignored))

@@ -80,6 +80,11 @@ void append_bins(std::string& csv, std::string_view kind, const std::vector<Bin>
   for (const Bin& b : bins) csv += fmt::format("{},{},{},{}\n", kind, b.low, b.high, b.density);
 }
 
+constexpr const char* bridge_columns =
+    ",bridges,bridges_per_grain,water_bridges_m3,water_films_m3,water_error,force_bridge_mean_N,force_contact_mean_N,"
+    "sigma_bridges_xx_Pa,sigma_bridges_yy_Pa,sigma_bridges_zz_Pa,p_bridges_Pa,bridges_formed,bridges_ruptured,energy_bridges_J,"
+    "loss_wetting_J";
+
 }  // namespace
 
 std::string retention_line(const RetentionRow& r) {
@@ -87,7 +92,7 @@ std::string retention_line(const RetentionRow& r) {
                      r.trapped_nonwetting);
 }
 
-std::string history_header(const Domain& domain) {
+std::string history_header(const Domain& domain, bool has_bridges) {
   std::string header =
       "time_s,stage,step,time_step_s,strain_xx,strain_yy,strain_zz,strain_volumetric,porosity,void_ratio,sigma_xx_Pa,sigma_yy_Pa,"
       "sigma_zz_Pa,p_Pa,q_Pa,shear_strain,normal_stress_Pa,shear_stress_Pa,unbalanced,coordination,coordination_inner,"
@@ -100,7 +105,8 @@ std::string history_header(const Domain& domain) {
     }
   return header +
          ",energy_kinetic_J,energy_normal_J,energy_shear_J,loss_friction_J,work_shear_J,work_rolling_J,loss_viscous_J,"
-         "loss_damping_J,work_input_J,energy_residual_J\n";
+         "loss_damping_J,work_input_J,energy_residual_J" +
+         (has_bridges ? bridge_columns : "") + "\n";
 }
 
 std::string history_line(const HistoryRow& r, const Domain& domain) {
@@ -115,8 +121,15 @@ std::string history_line(const HistoryRow& r, const Domain& domain) {
       line += fmt::format(",{},{},{},{}", f.x, f.y, f.z, r.wall_position[to_size(face)]);
     }
   const Energies& e = r.energy;
-  return line + fmt::format(",{},{},{},{},{},{},{},{},{},{}\n", e.kinetic, e.normal, e.shear, e.friction, e.shear_work,
-                            e.roll_work, e.viscous, e.damping, e.input, r.energy_residual);
+  line += fmt::format(",{},{},{},{},{},{},{},{},{},{}", e.kinetic, e.normal, e.shear, e.friction, e.shear_work, e.roll_work,
+                      e.viscous, e.damping, e.input, r.energy_residual);
+  if (r.bridges) {
+    const BridgeRow& b = *r.bridges;
+    line += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", b.bridges, b.coordination, b.water, b.film,
+                        b.water_error, b.mean_force, b.mean_contact_force, b.stress.x, b.stress.y, b.stress.z, b.mean_stress,
+                        b.formed, b.ruptured, e.bridges, e.wetting);
+  }
+  return line + "\n";
 }
 
 std::string event_line(long event, const InvasionEvent& e) {

@@ -18,8 +18,8 @@ inline constexpr std::string_view compaction_header = "step,porosity,stress_Pa,u
 inline constexpr std::string_view pressure_header = "stage,place_m,pressure_Pa,linear_Pa,pores\n";
 inline constexpr std::string_view distributions_header = "kind,bin_low,bin_high,pdf\n";
 
-/// Columns of series/history.csv; forces and places only of faces that are walls.
-std::string history_header(const Domain& domain);
+/// Columns of series/history.csv; forces and places only of faces that are walls, bridges only of wet grains.
+std::string history_header(const Domain& domain, bool has_bridges = false);
 
 std::string history_line(const HistoryRow& row, const Domain& domain);
 std::string retention_line(const RetentionRow& row);

@@ -51,8 +51,8 @@ void fields(auto& a, Is<Energies> auto& e) {
 
 void fields(auto& a, Is<EnergyBook> auto& book) {
   auto& [is_kept, shear, roll, viscous, damping, walls, box, last_box_rate, body, wetting] = book;
-  each(a, "is_kept shear roll viscous damping walls box last_box_rate body wetting", is_kept, shear, roll, viscous, damping, walls,
-       box, last_box_rate, body, wetting);
+  each(a, "is_kept shear roll viscous damping walls box last_box_rate body wetting", is_kept, shear, roll, viscous, damping,
+       walls, box, last_box_rate, body, wetting);
 }
 
 void fields(auto& a, Is<MotionOptions> auto& motion) {
@@ -104,14 +104,15 @@ void fields(auto& a, Is<GrainSystem> auto& s) {
   each(a, "image_owner image_shift skin slack grown drift_limit listed_at listed_in walls_listed_at listed_step list_builds",
        image_owner, image_shift, skin, slack, grown, drift_limit, listed_at, listed_in, walls_listed_at, listed_step,
        list_builds);
-  each(a, "grain_contacts wall_contacts wall_start slot roll_slot row_start row bridges", grain_contacts, wall_contacts, wall_start,
-       slot, roll_slot, row_start, row, bridges);
+  each(a, "grain_contacts wall_contacts wall_start slot roll_slot row_start row bridges", grain_contacts, wall_contacts,
+       wall_start, slot, roll_slot, row_start, row, bridges);
 }
 
 void fields(auto& a, Is<BridgeRow> auto& row) {
   each(a, "bridges water film water_error mean_force coordination formed ruptured", row.bridges, row.water, row.film,
        row.water_error, row.mean_force, row.coordination, row.formed, row.ruptured);
-  each(a, "mean_contact_force mean_stress stress", row.mean_contact_force, row.mean_stress, row.stress);
+  each(a, "mean_contact_force mean_stress stress rumpf_strength", row.mean_contact_force, row.mean_stress, row.stress,
+       row.rumpf_strength);
 }
 
 void fields(auto& a, Is<HistoryRow> auto& row) {
@@ -333,8 +334,9 @@ void fields(auto& a, Is<UnsaturatedRecord> auto& record) {
 // The run.
 
 void fields(auto& a, Is<LoadingScale> auto& scale) {
-  auto& [diameter, density, youngs_modulus, size, stress] = scale;
-  each(a, "diameter density youngs_modulus size stress", diameter, density, youngs_modulus, size, stress);
+  auto& [diameter, density, youngs_modulus, size, stress, bridge_stress] = scale;
+  each(a, "diameter density youngs_modulus size stress bridge_stress", diameter, density, youngs_modulus, size, stress,
+       bridge_stress);
 }
 
 void fields(auto& a, Is<BoxServo> auto& servo) {

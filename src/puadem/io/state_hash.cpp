@@ -71,6 +71,10 @@ std::uint64_t state_hash(const State& state) {
     h.add(state.flow->nonwetting.holds);
     h.add(state.flow->nonwetting.passes);
   }
+  if (state.grains && state.grains->bridges) {
+    h.add(state.grains->bridges->bridges.volume);
+    h.add(state.grains->bridges->film);
+  }
   for (const RetentionRow& row : state.retention) {
     h.add(row.step);
     h.hash = fingerprint(row.branch, h.hash);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "puadem/dem/bridge_measures.hpp"
 #include "puadem/dem/contacts.hpp"
 #include "puadem/dem/grain_stress.hpp"
 
@@ -54,6 +56,33 @@ VtkPolyData contact_fields(const State& state) {
   }
   data.point_data = {{"radius", std::move(radius)}};
   data.cell_data = {{"normal_force", std::move(normal)}, {"shear_force", std::move(shear)}, {"wall", std::move(wall)}};
+  return data;
+}
+
+VtkPolyData bridge_fields(const State& state) {
+  VtkPolyData data;
+  std::vector<double> radius, force, volume, capillary_pressure, gap;
+  std::vector<std::uint8_t> wall;
+  for (const GrainBridge& b : bridges_of(*state.grains)) {
+    const Vec3& from = state.particles.position[to_size(b.first)];
+    const int first = size_of(data.points);
+    data.points.push_back(from);
+    data.points.push_back(from + b.branch);
+    data.lines.push_back({first, first + 1});
+    const double width = std::cbrt(0.75 * b.volume / std::numbers::pi);
+    radius.insert(radius.end(), {width, width});
+    force.push_back(b.force);
+    volume.push_back(b.volume);
+    capillary_pressure.push_back(b.capillary_pressure);
+    gap.push_back(b.gap);
+    wall.push_back(b.wall >= 0 ? 1 : 0);
+  }
+  data.point_data = {{"radius", std::move(radius)}};
+  data.cell_data = {{"force", std::move(force)},
+                    {"volume", std::move(volume)},
+                    {"capillary_pressure", std::move(capillary_pressure)},
+                    {"gap", std::move(gap)},
+                    {"wall", std::move(wall)}};
   return data;
 }
 

@@ -17,6 +17,11 @@ VtkPolyData grain_fields(const State& state);
 /// third of the mean grain radius, for tubes. @pre the state has the grain engine
 VtkPolyData contact_fields(const State& state);
 
+/// Liquid bridges as lines from centre to centre, or to the foot on a wall: `force` of attraction [N], `volume` [m3],
+/// `capillary_pressure` [Pa], `gap` [m], negative in contact, and `wall`; `radius` on the points is that of a sphere of the
+/// bridge's volume, for tubes. @pre the grains have bridges
+VtkPolyData bridge_fields(const State& state);
+
 /// Pores as points at their centres with `radius` [m], `volume` [m3], `saturation` [-] (1 before the
 /// first equilibrium), `faces` and `wall` (1 at a wall of the box).
 VtkPolyData pore_fields(const State& state);
