@@ -96,16 +96,32 @@ bool same(const GradingClass& a, const GradingClass& b) {
   const auto& [low, high, fraction] = a;
   return low == b.diameter_min && high == b.diameter_max && fraction == b.fraction;
 }
-bool same(const Material& a, const Material& b) {
-  const auto& [name, density, youngs_modulus, poisson_ratio, friction_angle] = a;
-  return name == b.name && density == b.density && youngs_modulus == b.youngs_modulus && poisson_ratio == b.poisson_ratio &&
-         friction_angle == b.friction_angle;
-}
 template <class T>
 bool same(const std::vector<T>& a, const std::vector<T>& b);
+template <class T>
+bool same(const std::optional<T>& a, const std::optional<T>& b);
+bool same(const SwellingLaw& a, const SwellingLaw& b) {
+  const auto& [diffusivity, largest_ratio, largest_stress] = a;
+  return diffusivity == b.diffusivity && largest_ratio == b.largest_ratio && largest_stress == b.largest_stress;
+}
+bool same(const Material& a, const Material& b) {
+  const auto& [name, density, youngs_modulus, poisson_ratio, friction_angle, swelling] = a;
+  return name == b.name && density == b.density && youngs_modulus == b.youngs_modulus && poisson_ratio == b.poisson_ratio &&
+         friction_angle == b.friction_angle && same(swelling, b.swelling);
+}
 bool same(const PairOverride& a, const PairOverride& b) {
   const auto& [materials, friction_angle, restitution] = a;
   return materials == b.materials && friction_angle == b.friction_angle && restitution == b.restitution;
+}
+bool same(const BridgeCase& a, const BridgeCase& b) {
+  const auto& [formation, split, exchange] = static_cast<const BridgeRules&>(a);
+  return formation == b.formation && split == b.split && exchange == b.exchange && a.control == b.control &&
+         a.capillary_pressure == b.capillary_pressure && a.water_content == b.water_content && a.saturation == b.saturation &&
+         a.volume == b.volume && a.law == b.law;
+}
+bool same(const GrainOptions::Added& a, const GrainOptions::Added& b) {
+  const auto& [diameter, material, count, at] = a;
+  return diameter == b.diameter && material == b.material && count == b.count && at == b.at;
 }
 bool same(const GrainOptions::Share& a, const GrainOptions::Share& b) {
   const auto& [name, fraction] = a;
@@ -233,10 +249,10 @@ bool same(const std::optional<T>& a, const std::optional<T>& b) {
   return a.has_value() == b.has_value() && (!a || same(*a, *b));
 }
 bool same(const Case& a, const Case& b) {
-  const auto& [title, seed, domain, grains, network_file, materials, contact, motion, fluids, pores, stages, output, overlays,
-               expected] = a;
+  const auto& [title, seed, domain, grains, network_file, materials, contact, motion, bridges, fluids, pores, stages, output,
+               overlays, expected] = a;
   const auto& [size, shape, periodic] = domain;
-  const auto& [file, count, grading, material, mixture, cloud, clump_size] = grains;
+  const auto& [file, count, grading, material, mixture, added, cloud, clump_size] = grains;
   const auto& [by, classes, table, lognormal] = grading;
   const auto& [fields, fields_every, fields_count, history_rows, fields_at, checkpoints, checkpoint_every] = output;
   const auto& [gravity, safety] = motion;
@@ -245,9 +261,10 @@ bool same(const Case& a, const Case& b) {
          same(classes, b.grains.grading.classes) && same(table, b.grains.grading.table) &&
          same(lognormal, b.grains.grading.lognormal) && material == b.grains.material && same(mixture, b.grains.materials) &&
          network_file == b.network_file && cloud == b.grains.cloud && clump_size == b.grains.clump_size &&
-         same(materials, b.materials) && same(contact, b.contact) && same(fluids, b.fluids) && same(pores, b.pores) &&
-         same(stages, b.stages) && fields == b.output.fields && fields_every == b.output.fields_every &&
-         fields_count == b.output.fields_count && history_rows == b.output.history_rows && gravity == b.motion.gravity &&
+         same(materials, b.materials) && same(added, b.grains.added) && same(bridges, b.bridges) && same(contact, b.contact) &&
+         same(fluids, b.fluids) && same(pores, b.pores) && same(stages, b.stages) && fields == b.output.fields &&
+         fields_every == b.output.fields_every && fields_count == b.output.fields_count &&
+         history_rows == b.output.history_rows && gravity == b.motion.gravity &&
          fields_at.saturation == b.output.fields_at.saturation && checkpoints == b.output.checkpoints &&
          checkpoint_every == b.output.checkpoint_every && safety == b.motion.safety && same(overlays, b.overlays) &&
          std::ranges::equal(expected, b.expected, [](const auto& x, const auto& y) {

@@ -60,6 +60,71 @@ TEST(UnsaturatedKeys, FillEveryFieldAndAreWrittenBack) {
   }
 }
 
+TEST(UnsaturatedKeys, TimesTakeThePlaceOfSteps) {
+  const Case c = parse_case(bed + R"(path = ["0 Pa", "2 kPa"]
+times = ["0 s", "50 ms"]
+coupling_interval = "20 us"
+)",
+                            "case.toml", "/study")
+                     .c;
+  for (const UnsaturatedStage& s : {std::get<UnsaturatedStage>(c.stages[1]), stage_of(resolved_case(c))}) {
+    EXPECT_THAT(s.times, ElementsAre(0.0, 0.05));
+    EXPECT_EQ(s.coupling_interval, 2e-5);
+  }
+  const std::string path = "path = [\"0 Pa\", \"1 kPa\"]\n";
+  expect_error(path + "times = [\"0 s\"]\n", "one time for each pressure of the path: 2, not 1");
+  expect_error(path + "times = [\"1 s\", \"2 s\"]\n", "begins at 0");
+  expect_error(path + "times = [\"0 s\", \"0 s\"]\n", "must rise");
+  expect_error(path + "times = [\"0 s\", \"1 s\"]\nstep = \"1 Pa\"\n", "not used with times");
+  expect_error(path + "times = [\"0 s\", \"1 s\"]\nloaded = [\"top\"]\nstress = \"1 kPa\"\nstrain = 0.1\n", "exclude each other");
+  expect_error(path + "coupling_interval = \"1 s\"\n", "used with times only");
+}
+
+TEST(SwellingKeys, AreReadAndWrittenBack) {
+  const std::string text = R"([grains]
+count = 500
+material = "glass"
+grading = { by = "number", classes = [{ diameter = "0.3 mm", fraction = 1.0 }] }
+[[grains.added]]
+diameter = "0.5 mm"
+material = "gel"
+at = [0.5, 0.25, 0.75]
+[[grains.added]]
+diameter = "0.4 mm"
+material = "gel"
+count = 9
+[materials.glass]
+density = "2650 kg/m3"
+[materials.gel]
+density = "1200 kg/m3"
+swelling = { diffusivity = "5e-8 m2/s", largest_ratio = 3.6, largest_stress = "2 kPa" }
+[[stage]]
+kind = "compact"
+stress = "10 kPa"
+)";
+  const Case first = parse_case(text, "case.toml", "/study").c;
+  for (const Case& c : {first, parse_case(resolved_case(first), "case.toml", "/study").c}) {
+    ASSERT_EQ(c.grains.added.size(), 2u);
+    EXPECT_EQ(c.grains.added[0].diameter, 0.5e-3);
+    EXPECT_EQ(c.grains.added[0].at->z, 0.75);
+    EXPECT_EQ(c.grains.added[1].count, 9);
+    EXPECT_FALSE(c.grains.added[1].at);
+    EXPECT_FALSE(c.materials[0].swelling);
+    const SwellingLaw law = c.materials[1].swelling.value();
+    EXPECT_EQ(law.diffusivity, 5e-8);
+    EXPECT_EQ(law.largest_ratio, 3.6);
+    EXPECT_EQ(law.largest_stress, 2e3);
+  }
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    return changed;
+  };
+  testing::expect_case_error(with("material = \"gel\"", "material = \"gell\""), "materials.gell");
+  testing::expect_case_error(with("at = [0.5, 0.25, 0.75]", "at = [0.5, 0.25, 0.75]\ncount = 2"), "the place of one grain");
+  testing::expect_case_error(with("largest_ratio = 3.6", "largest_ratio = 0.6"), "largest_ratio");
+}
+
 TEST(UnsaturatedKeys, WhatCannotRunIsRefusedWithTheReason) {
   const std::string path = "path = [\"0 Pa\", \"1 kPa\"]\n";
   expect_error("", "path");

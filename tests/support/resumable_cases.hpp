@@ -110,6 +110,21 @@ inline Case unsaturated_case() {
   return c;
 }
 
+/// Grains and two fluids in time, some of them swelling.
+inline Case swelling_case() {
+  Case c = grains_of(120, {1, 1, 1.5});
+  c.domain.periodic = {true, true, false};
+  c.materials.push_back(Material{.name = "gel", .density = 1200.0, .swelling = SwellingLaw{5e-8, 3.0, 1e5}});
+  c.grains.added = {{.diameter = 0.4e-3, .material = "gel", .count = 3, .at = {}}};
+  UnsaturatedStage stage;
+  stage.path = {500.0, 3000.0};
+  stage.times = {0.0, 2e-3};
+  stage.loaded[5] = true;
+  stage.stress = 10e3;
+  c.stages.emplace_back(stage);
+  return c;
+}
+
 inline Case implicit_case() { return two_phase_case(GasKind::incompressible, TwoPhaseScheme::implicit, false); }
 inline Case ideal_gas_case() { return two_phase_case(GasKind::ideal, TwoPhaseScheme::implicit, true); }
 inline Case impes_case() { return two_phase_case(GasKind::connected, TwoPhaseScheme::impes, true); }
@@ -137,7 +152,8 @@ inline std::vector<ResumableCase> resumable_cases() {
   return {{"Loading", loading_case, 10},    {"Wet", wet_case, 5},
           {"Retention", retention_case, 3}, {"Implicit", implicit_case, 20},
           {"IdealGas", ideal_gas_case, 20}, {"Impes", impes_case, 20},
-          {"Saturated", saturated_case, 5}, {"Unsaturated", unsaturated_case, 3}};
+          {"Saturated", saturated_case, 5}, {"Unsaturated", unsaturated_case, 3},
+          {"Swelling", swelling_case, 5}};
 }
 
 struct Outcome {

@@ -1,6 +1,7 @@
 // Two fluids and grains that move each other: retention, strain, effective stress and forces against capillary pressure.
 import { element, number } from "./dom.js";
 import { figure, layout } from "./figure.js";
+import { swellingFigures } from "./swelling.js";
 import { air, grain, paint, swatch, water } from "./section.js";
 
 const colours = ["#1f5fa8", "#168a83", "#d1561b", "#7a4a80"], ink = "#1a2330", grey = "#8a939d";
@@ -147,7 +148,9 @@ export function unsaturatedSections(stage, count) {
   const path = { ...stage, branches: stage.branches.filter((b) => b.name !== "strain") };
   const strained = stage.branches.find((b) => b.name === "strain");
   const sections = [];
-  if (path.branches.some((b) => b.pc.length > 1)) sections.push([retention, strain, bishop, forces, anisotropy, spreads].map((draw) => draw(path, count)));
+  const pressures = path.branches.flatMap((b) => b.pc);
+  if (pressures.some((p) => p !== pressures[0])) sections.push([retention, strain, bishop, forces, anisotropy, spreads].map((draw) => draw(path, count)));
+  if (stage.swelling) sections.push(swellingFigures(stage, count + sections.length));
   if (strained) sections.push([deviators, volumes, strainedAnisotropy].map((draw) => draw(stage, strained, count + sections.length)));
   return { pictures: stage.pictures.length > 0 ? pictures(stage, count + sections.length) : null, figures: sections.flat(), used: sections.length + (stage.pictures.length > 0 ? 1 : 0) };
 }

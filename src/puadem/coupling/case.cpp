@@ -9,16 +9,28 @@
 
 namespace puadem {
 
+namespace {
+
+int index_of(const Case& c, const std::string& name) {
+  const auto found = std::ranges::find(c.materials, name, &Material::name);
+  require(found != c.materials.end(), "no material \"{}\" for the grains", name);
+  return static_cast<int>(found - c.materials.begin());
+}
+
+}  // namespace
+
 std::vector<MaterialShare> grain_materials(const Case& c) {
   std::vector<MaterialShare> shares;
-  const auto add = [&](const std::string& name, double fraction) {
-    const auto found = std::ranges::find(c.materials, name, &Material::name);
-    require(found != c.materials.end(), "no material \"{}\" for the grains", name);
-    shares.push_back({static_cast<int>(found - c.materials.begin()), fraction});
-  };
-  for (const GrainOptions::Share& share : c.grains.materials) add(share.name, share.fraction);
-  if (shares.empty()) add(c.grains.material, 1.0);
+  for (const GrainOptions::Share& share : c.grains.materials) shares.push_back({index_of(c, share.name), share.fraction});
+  if (shares.empty()) shares.push_back({index_of(c, c.grains.material), 1.0});
   return shares;
+}
+
+std::vector<AddedGrains> added_grains(const Case& c) {
+  std::vector<AddedGrains> all;
+  for (const GrainOptions::Added& added : c.grains.added)
+    all.push_back({0.5 * added.diameter, index_of(c, added.material), added.count, added.at});
+  return all;
 }
 
 std::string stage_name(const Case& c, int index) {

@@ -44,6 +44,13 @@ struct GrainOptions {
     double fraction = 1.0;  ///< of the solid volume [-]
   };
   std::vector<Share> materials;  ///< a mixture, in place of `material`
+  struct Added {
+    double diameter = 0.0;   ///< [m]
+    std::string material;    ///< name
+    int count = 1;           ///< [-]
+    std::optional<Vec3> at;  ///< see `AddedGrains`
+  };
+  std::vector<Added> added;  ///< grains beside those of the grading
   PackingSource::Cloud cloud = PackingSource::Cloud::uniform;
   double clump_size = 20.0;  ///< mean number of grains in a clump [-]
 };
@@ -222,6 +229,10 @@ struct Case {
 /// What the grains are made of, by index into `materials`.
 /// @throws InputError  a name that no material has
 std::vector<MaterialShare> grain_materials(const Case& c);
+
+/// Grains beside those of the grading.
+/// @throws InputError  a name that no material has
+std::vector<AddedGrains> added_grains(const Case& c);
 
 /// Name of a stage in series and results: its kind, from the second of a kind on with a number, "triaxial-2".
 std::string stage_name(const Case& c, int index);

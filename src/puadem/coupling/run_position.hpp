@@ -74,13 +74,15 @@ struct SaturatedProgress {
 struct UnsaturatedProgress {
   double began = 0.0;                                   ///< [s]
   double mean_radius = 0.0;                             ///< of the grains [m]
-  double solid_volume = 0.0;                            ///< [m3]
   double first_force = 0.0;                             ///< mean of the contacts in the first row [N]
   Vec3 start_size;                                      ///< of the box, from which strains are counted [m]
   int stop = 0;                                         ///< of the path of pressures
   int round = 0;                                        ///< at that stop
   double strain_rate = 0.0;                             ///< of the box after the path [1/s]
   int strain_rows = 0;                                  ///< due no more
+  std::optional<double> motion_began;                   ///< time of the grains at which motion in time did [s]
+  double interval = 0.0;                                ///< longest of that motion [s]
+  int time_rows = 0;                                    ///< due no more
   double saturation_before = 2.0, strain_before = 0.0;  ///< a round ago
 };
 

@@ -16,6 +16,7 @@ void run_compact_stage(const Case& c, const CompactStage& stage, State& state, c
   source.grading = c.grains.grading;
   source.count = c.grains.count;
   source.materials = grain_materials(c);
+  source.added = added_grains(c);
   source.shape = c.domain.size.value_or(c.domain.shape);
   source.periodic = c.domain.periodic;
   source.seed = c.seed;

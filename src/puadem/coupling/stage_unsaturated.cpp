@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/checked_network.hpp"
@@ -9,6 +10,7 @@
 #include "puadem/coupling/ready_grains.hpp"
 #include "puadem/coupling/saturated_step.hpp"
 #include "puadem/coupling/stages.hpp"
+#include "puadem/coupling/unsaturated_motion.hpp"
 #include "puadem/coupling/unsaturated_results.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/flow/retention_path.hpp"
@@ -16,6 +18,8 @@
 namespace puadem {
 
 namespace {
+
+constexpr double frozen_share = 0.5;  // of the longest time over which the fluids' forces may stay frozen
 
 /// A stage under way.
 struct Unsaturated {
@@ -67,7 +71,6 @@ UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer
   at.mean_radius = 0.5 * scale.diameter;
   at.began = state.time;
   at.start_size = scale.size;
-  for (const double mass : state.particles.mass) at.solid_volume += mass / scale.density;
   if (stage.strain)
     at.strain_rate =
         stage.strain_rate.value_or(default_inertial_number / inertial_number(1.0, scale.diameter, scale.density, *stage.stress));
@@ -78,7 +81,14 @@ UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer
     if (stage.loaded[to_size(face)]) hold_stress(face, *stage.stress, *stage.stress, scale, grains);
   UnsaturatedCache cache;
   state.unsaturated = start_unsaturated(options_of(c, stage, at.mean_radius), state.network, state.particles, grains, cache);
+  state.unsaturated->swelling = start_swelling(state.particles, c.materials);
   return at;
+}
+
+double porosity(const Unsaturated& u) {
+  double solid = 0.0;
+  for (const double r : u.state.particles.radius) solid += 4.0 / 3.0 * std::numbers::pi * r * r * r;
+  return 1.0 - solid / u.state.grains->domain.volume();
 }
 
 void write_row(Unsaturated& u, const std::string& branch) {
@@ -90,27 +100,34 @@ void write_row(Unsaturated& u, const std::string& branch) {
   const Vec3 size = u.grains().domain.size(), before = u.at.start_size;
   row.strain = u.strain();
   row.volume_strain = std::log(before.x * before.y * before.z / (size.x * size.y * size.z));
-  row.porosity = 1.0 - u.at.solid_volume / u.grains().domain.volume();
+  row.porosity = porosity(u);
+  if (u.at.motion_began) row.time = u.fluids().grain_time - *u.at.motion_began;
   if (u.record().rows.empty()) u.at.first_force = row.mean_force;
   if (u.at.first_force > 0.0) row.mean_force_ratio = row.mean_force / u.at.first_force;
   row.rounds = u.at.round;
   u.record().rows.push_back(row);
   u.record().spreads.push_back(force_spread(u.grains(), u.fluids()));
+  if (u.fluids().swelling.size() > 0)
+    u.record().swelling.push_back(swelling_row(u.grains(), u.state.network, u.state.particles, u.fluids().swelling));
   u.state.saturation = saturation(u.state.network, u.fluids().flow);
   if (u.observer.unsaturated) u.observer.unsaturated(u.state, u.record().rows.back());
 }
 
 void tell_progress(Unsaturated& u) {
-  const double legs = size_of(u.stops) + (u.stage.strain ? size_of(u.stops) : 0);
-  const bool is_straining = u.at.stop == size_of(u.stops) && u.stage.strain;
+  const bool goes_on = u.stage.strain || !u.stage.times.empty();  // after the path
+  double after = 0.0;
+  if (u.at.motion_began)
+    after = (u.fluids().grain_time - *u.at.motion_began) / u.stage.times.back();
+  else if (u.at.stop == size_of(u.stops) && u.stage.strain)
+    after = u.strain() / *u.stage.strain;
   Progress progress;
   progress.stage = UnsaturatedStage::kind;
-  progress.fraction = (u.at.stop + (is_straining ? size_of(u.stops) * u.strain() / *u.stage.strain : 0.0)) / legs;
+  progress.fraction = (u.at.stop + size_of(u.stops) * after) / (size_of(u.stops) * (goes_on ? 2.0 : 1.0));
   progress.step = u.grains().steps;
   progress.time = u.state.time;
   progress.saturation = totals(u.state.network, *u.cache.model, u.fluids().flow).saturation;
   progress.capillary_pressure = u.fluids().capillary_pressure;
-  progress.porosity = 1.0 - u.at.solid_volume / u.grains().domain.volume();
+  progress.porosity = porosity(u);
   tell_at_safe_place(u.observer, progress, u.state, u.results);
 }
 
@@ -119,7 +136,9 @@ bool make_round(Unsaturated& u) {
   UnsaturatedState& s = u.fluids();
   s.capillary_pressure = u.stops[to_size(u.at.stop)].capillary_pressure;
   rest_fluids(u.options, u.state.network, u.state.particles, u.grains(), s, u.cache);
-  const bool grains_rest = rest_grains(u.options, u.grains(), u.state.particles, s);
+  // Grains that touch nothing cannot come to rest; before they move in time they need not.
+  const bool float_free = !u.stage.times.empty() && measure(u.grains()).contacts == 0;
+  const bool grains_rest = float_free || rest_grains(u.options, u.grains(), u.state.particles, s);
   u.state.time = u.at.began + s.grain_time;
   const double now = totals(u.state.network, *u.cache.model, s.flow).saturation;
   if (grains_rest) ++u.at.round;
@@ -205,6 +224,46 @@ void strain_box(Unsaturated& u) {
   }
 }
 
+/// Rest is left behind: how long the fluids' forces may stay the same.
+void begin_motion(Unsaturated& u) {
+  UnsaturatedState& s = u.fluids();
+  u.at.motion_began = s.grain_time;
+  s.flow.time = s.flow.time_step = 0.0;
+  rest_fluids(u.options, u.state.network, u.state.particles, u.grains(), s, u.cache);
+  const double limit = frozen_limit(u.options, u.state.network, u.state.particles, u.grains().domain);
+  u.at.interval = u.stage.coupling_interval.value_or(frozen_share * limit);
+  require(u.at.interval < limit,
+          "stage {}: coupling_interval = {:.4g} s: forces of the fluids that stay frozen that long make the grains swing ever "
+          "more; the limit is {:.4g} s (theory 7.3)",
+          u.record().stage, u.at.interval, limit);
+  if (u.observer.message)
+    u.observer.message(fmt::format("stage {}: forces of the fluids stay the same for {:.3g} s at most (limit {:.3g} s)",
+                                   u.record().stage, u.at.interval, limit));
+}
+
+/// Grains and fluids move in time while the reservoirs' pressures do.
+void move_through_times(Unsaturated& u) {
+  UnsaturatedState& s = u.fluids();
+  if (!u.at.motion_began) begin_motion(u);
+  const Schedule pressure{u.stage.times, u.stage.path};
+  const double whole = u.stage.times.back();
+  for (;;) {
+    const double time = s.grain_time - *u.at.motion_began;
+    const bool ends = time >= whole * (1.0 - 1e-9);
+    if (ends || time / whole * u.c.output.history_rows >= u.at.time_rows) {
+      write_row(u, "time");
+      u.at.time_rows = static_cast<int>(time / whole * u.c.output.history_rows) + 1;
+    }
+    tell_progress(u);
+    if (ends) return;
+    const double longest = std::min({u.at.interval, whole - time, whole / u.c.output.history_rows});
+    move_in_time(u.options, u.c.materials, longest, pressure, time, u.grains(), u.state.particles, u.state.network, s, u.cache);
+    u.state.time = u.at.began + s.grain_time;
+    u.state.domain = u.grains().domain;
+    u.state.saturation = saturation(u.state.network, s.flow);
+  }
+}
+
 void tell_end(const Unsaturated& u) {
   if (!u.observer.message) return;
   const UnsaturatedState& s = *u.state.unsaturated;
@@ -221,9 +280,11 @@ void run_unsaturated_stage(const Case& c, int index, State& state, const Observe
   if (!has_begun(state)) state.position.progress = begin(c, index, state, observer);
   auto& at = std::get<UnsaturatedProgress>(state.position.progress);
   Unsaturated u{c, stage, state, observer, results, at, options_of(c, stage, at.mean_radius)};
-  u.stops = retention_stops({stage.path, stage.step, at.mean_radius});
+  const bool moves = !stage.times.empty();
+  u.stops = retention_stops({moves ? std::vector{stage.path.front()} : stage.path, stage.step, at.mean_radius});
   renew_cache(u.options, state.network, state.particles, u.grains().domain, u.fluids(), u.cache);
   follow_path(u);
+  if (moves) move_through_times(u);
   if (stage.strain) strain_box(u);
   set_box_rate(u.grains(), {});
   release_forces(u.grains());

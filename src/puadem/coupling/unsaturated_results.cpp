@@ -9,6 +9,7 @@
 #include "puadem/dem/contacts.hpp"
 #include "puadem/dem/fabric.hpp"
 #include "puadem/dem/force_chains.hpp"
+#include "puadem/dem/grain_stress.hpp"
 #include "puadem/dem/stress.hpp"
 
 namespace puadem {
@@ -99,6 +100,29 @@ UnsaturatedRow unsaturated_row(const GrainSystem& grains, const PoreNetwork& net
   row.nonwetting_error = gas;
   row.remeshes = state.remeshes;
   row.pores_changed = state.pores_changed;
+  return row;
+}
+
+SwellingRow swelling_row(const GrainSystem& grains, const PoreNetwork& network, const Particles& particles,
+                         const SwellingState& state) {
+  SwellingRow row;
+  const std::vector<double> radius = swelling_radii(particles, state);
+  row.radius_mean = mean_of(radius);
+  row.radius_least = std::ranges::min(radius);
+  row.radius_most = std::ranges::max(radius);
+  row.wetted = mean_of(state.wetted);
+  row.grown = grown_volume(particles, state);
+  row.from_pores = state.from_pores.value();
+  row.from_reservoirs = state.from_reservoirs.value();
+  row.water_error = (row.grown - row.from_pores - row.from_reservoirs) / compensated_sum(network.pore_volume);
+  const GrainMeasures m = measure(grains);
+  row.mean_stress = m.mean_stress;
+  row.deviatoric_stress = m.deviatoric_stress;
+  const std::vector<double> q = grain_stresses(grains).deviatoric;
+  row.grain_deviator_mean = mean_of(q);
+  double squares = 0.0;
+  for (const double one : q) squares += (one - row.grain_deviator_mean) * (one - row.grain_deviator_mean);
+  row.grain_deviator_deviation = std::sqrt(squares / static_cast<double>(q.size()));
   return row;
 }
 
@@ -201,6 +225,18 @@ void describe_unsaturated(const UnsaturatedRecord& record, const UnsaturatedStat
     set("peak_strain", peak->strain);
     set("peak_saturation", peak->saturation);
     set("end_q_Pa", contact_deviator(last));
+  }
+  if (!record.swelling.empty()) {
+    const SwellingRow& swollen = record.swelling.back();
+    double error = 0.0;
+    for (const SwellingRow& r : record.swelling) error = std::max(error, std::abs(r.water_error));
+    set("swelling_radius_mean_end_m", swollen.radius_mean);
+    set("swelling_radius_least_end_m", swollen.radius_least);
+    set("swelling_radius_most_end_m", swollen.radius_most);
+    set("swelling_grown_m3", swollen.grown);
+    set("swelling_water_error", error);
+    set("grain_deviator_end_Pa", swollen.grain_deviator_mean);
+    set("porosity_end", last.porosity);
   }
   set("remeshes", static_cast<double>(state.remeshes));
   set("pores_changed", static_cast<double>(state.pores_changed));

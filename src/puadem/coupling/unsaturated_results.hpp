@@ -13,6 +13,9 @@ namespace puadem {
 UnsaturatedRow unsaturated_row(const GrainSystem& grains, const PoreNetwork& network, const Particles& particles,
                                const UnsaturatedState& state, const UnsaturatedCache& cache, int axis);
 
+SwellingRow swelling_row(const GrainSystem& grains, const PoreNetwork& network, const Particles& particles,
+                         const SwellingState& state);
+
 /// Sizes of the contact forces and of the fluids' forces, each over its mean.
 ForceSpread force_spread(const GrainSystem& grains, const UnsaturatedState& state);
 

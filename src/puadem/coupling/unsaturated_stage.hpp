@@ -16,7 +16,11 @@ namespace puadem {
 struct UnsaturatedStage {
   static constexpr std::string_view kind = "unsaturated-flow";
 
-  std::vector<double> path;                                            ///< turning points of the capillary pressure [Pa]
+  std::vector<double> path;  ///< turning points of the capillary pressure [Pa]
+  /// When the reservoirs reach each of them, straight lines between: grains and fluids then move in time, from rest at the
+  /// first, and swelling grains grow (theory 7.9) [s]; empty: rest at every step of the path
+  std::vector<double> times;
+  std::optional<double> coupling_interval;                             ///< with `times`: fluids' forces stay that long [s]
   double step = 100.0;                                                 ///< along the path [Pa]
   int air = 5;                                                         ///< face of its reservoir, at pressure 0
   std::array<bool, 6> water{false, false, false, false, true, false};  ///< faces of the water's reservoir
@@ -47,6 +51,7 @@ struct UnsaturatedStage {
 /// Grains and fluids at rest at one capillary pressure: a row of series/unsaturated.csv. Compression and shortening positive.
 struct UnsaturatedRow {
   std::string stage, branch;
+  std::optional<double> time;                              ///< since motion in time began [s]; none at rest
   double capillary_pressure = 0.0;                         ///< [Pa]
   double pc_star = 0.0;                                    ///< p_c <r> / gamma [-]
   double saturation = 1.0;                                 ///< [-]
@@ -81,12 +86,26 @@ struct ForceSpread {
   std::vector<double> contact, capillary;  ///< probability density by number; a class after the last is none [-]
 };
 
+/// Swelling grains and what they do to the others, at one row: a row of series/swelling.csv.
+struct SwellingRow {
+  double radius_mean = 0.0, radius_least = 0.0, radius_most = 0.0;  ///< of the swelling grains [m]
+  double wetted = 0.0;                                              ///< mean share of their surface [-]
+  double grown = 0.0;                                               ///< volume since the start [m3]
+  double from_pores = 0.0;                                          ///< water taken out of counted pores [m3]
+  double from_reservoirs = 0.0;                                     ///< and out of pores of the reservoirs [m3]
+  double water_error = 0.0;                                         ///< grown less taken, over the void [-]
+  double mean_stress = 0.0, deviatoric_stress = 0.0;                ///< p, q of all contacts [Pa]
+  double grain_deviator_mean = 0.0;                                 ///< of the grains' own q on their power cells [Pa]
+  double grain_deviator_deviation = 0.0;                            ///< and its standard deviation [Pa]
+};
+
 /// What a stage leaves behind.
 struct UnsaturatedRecord {
   std::string stage;
   int axis = 2;  ///< of the strain: that of the first loaded face, else z
   std::vector<UnsaturatedRow> rows;
-  std::vector<ForceSpread> spreads;  ///< one for each row
+  std::vector<ForceSpread> spreads;   ///< one for each row
+  std::vector<SwellingRow> swelling;  ///< the same, where grains swell; else empty
 };
 
 }  // namespace puadem

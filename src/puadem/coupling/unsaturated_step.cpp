@@ -48,14 +48,6 @@ void renew_cache(const UnsaturatedOptions& options, const PoreNetwork& network, 
   cache.areas = pushed_areas(network, sites, ThroatShare::contact_line, options.network.no_slip);
 }
 
-void set_forces(const PoreNetwork& network, const Particles& particles, GrainSystem& grains, UnsaturatedState& state,
-                const UnsaturatedCache& cache) {
-  const std::vector<double> pressure = effective_pressures(network, *cache.model, state.flow);
-  state.forces = pressure_forces(network, cache.areas, pressure, {}, particles.size());
-  state.tension = tension_forces(network, cache.areas, pressure, particles.size());
-  freeze_forces(state.forces, grains);
-}
-
 struct Held {
   double water = 0.0, gas = 0.0;  ///< [m3]
 };
@@ -95,6 +87,14 @@ void advance(long steps, GrainSystem& grains, UnsaturatedState& state) {
 
 }  // namespace
 
+void set_fluid_forces(const PoreNetwork& network, const Particles& particles, GrainSystem& grains, UnsaturatedState& state,
+                      const UnsaturatedCache& cache) {
+  const std::vector<double> pressure = effective_pressures(network, *cache.model, state.flow);
+  state.forces = pressure_forces(network, cache.areas, pressure, {}, particles.size());
+  state.tension = tension_forces(network, cache.areas, pressure, particles.size());
+  freeze_forces(state.forces, grains);
+}
+
 void renew_cache(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, const Domain& domain,
                  const UnsaturatedState& state, UnsaturatedCache& cache) {
   renew_cache(options, network, followed_centres(state.place, particles, domain), particles, domain, state.capillary_pressure,
@@ -111,7 +111,7 @@ UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const Pore
   state.void_listed = compensated_sum(network.pore_volume);
   state.water_start = held.water;
   state.gas_start = held.gas;
-  set_forces(network, particles, grains, state, cache);
+  set_fluid_forces(network, particles, grains, state, cache);
   return state;
 }
 
@@ -150,6 +150,13 @@ void move_grains(const UnsaturatedOptions& options, double duration, GrainSystem
 
 void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, PoreNetwork& network,
                    UnsaturatedState& state, UnsaturatedCache& cache) {
+  const double time = slow * cache.model->time_scale;
+  state.flow.time_step = time;
+  follow_grains(options, time, {}, grains, particles, network, state, cache);
+}
+
+void follow_grains(const UnsaturatedOptions& options, double time, std::span<const double> uptake, GrainSystem& grains,
+                   Particles& particles, PoreNetwork& network, UnsaturatedState& state, UnsaturatedCache& cache) {
   collect(grains, particles);
   const Domain& domain = grains.domain;
   const std::vector<Vec3> centre = followed_centres(state.place, particles, domain);
@@ -157,17 +164,15 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
   const std::vector<BorrowedRoom> borrowed = borrow_room(network, *cache.model, state.flow, voids.pore);
   if (!borrowed.empty() && borrowed.back().from < 0) throw_vanished(network, voids, borrowed.back().pore, grains.steps);
 
-  const double time = slow * cache.model->time_scale;
   std::vector<double> rate(voids.pore.size());
   for (std::size_t p = 0; p < rate.size(); ++p) rate[p] = (voids.pore[p] - network.pore_volume[p]) / time;
-  state.flow.time_step = time;
-  state.fluid_steps += advance_two_phase(network, *cache.model, time, {rate}, state.flow).steps;
+  state.fluid_steps += advance_two_phase(network, *cache.model, time, {rate, uptake}, state.flow).steps;
   give_back_room(borrowed, voids.pore, state.flow);
   fill_reservoirs(*cache.model, voids.pore, state.flow);
 
   const double strain = std::abs(compensated_sum(voids.pore) / state.void_listed - 1.0);
   const bool is_deformed = voids.inverted >= 0 || !borrowed.empty() || strain > largest_strain ||
-                           largest_displacement(state.place, centre) > options.remesh_displacement;
+                           largest_displacement(state.place, centre) + state.swelling.grown > options.remesh_displacement;
   if (is_deformed) {
     const std::vector<int> kinds = fluid_kinds(state.flow);
     network.pore_volume = voids.pore;
@@ -177,6 +182,7 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
     state.flow = carry_fluids(network, voids.cell, former, rebuilt, *cache.model, state.flow, &state.pores_changed);
     state.cells_renewed += static_cast<long>(rebuilt.match.appeared.index.size());
     ++state.remeshes;
+    state.swelling.grown = 0.0;
     state.void_listed = compensated_sum(rebuilt.network.pore_volume);
     network = std::move(rebuilt.network);
   } else {
@@ -185,15 +191,19 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
   }
 }
 
+void set_water_pressure(const Schedule& pressure, UnsaturatedCache& cache) {
+  for (FlowBoundary& boundary : cache.model->boundaries)
+    if (boundary.fluid == FluidPhase::wetting) boundary.schedule = pressure;
+}
+
 void rest_fluids(const UnsaturatedOptions&, const PoreNetwork& network, const Particles& particles, GrainSystem& grains,
                  UnsaturatedState& state, UnsaturatedCache& cache, const TwoPhaseCallbacks& callbacks) {
-  for (FlowBoundary& boundary : cache.model->boundaries)
-    if (boundary.fluid == FluidPhase::wetting) boundary.schedule = Schedule::constant(-state.capillary_pressure);
+  set_water_pressure(Schedule::constant(-state.capillary_pressure), cache);
   RestCriterion rest;
   // Newton's method leaves saturations within its tolerance; rest is no less than that.
   rest.saturation_change = std::max(rest.saturation_change, 10.0 * cache.model->options.steps.tolerance);
   state.fluid_steps += equilibrate_two_phase(network, *cache.model, rest, state.flow, callbacks).steps;
-  set_forces(network, particles, grains, state, cache);
+  set_fluid_forces(network, particles, grains, state, cache);
 }
 
 std::array<double, 2> ledger_errors(const PoreNetwork& network, const UnsaturatedState& state, const UnsaturatedCache& cache) {

@@ -5,11 +5,13 @@
 
 #include "puadem/coupling/capillary_forces.hpp"
 #include "puadem/coupling/moving_pores.hpp"
+#include "puadem/coupling/swelling.hpp"
 #include "puadem/dem/grain_system.hpp"
 #include "puadem/flow/two_phase_flow.hpp"
 
 // Grains and two fluids near rest move each other (theory 7.6): one round is
 //   rest_grains -> follow_grains -> rest_fluids, again until neither moves.
+// In time (theory 7.9) see unsaturated_motion.hpp.
 
 namespace puadem {
 
@@ -39,6 +41,7 @@ struct UnsaturatedState {
   long grain_steps = 0, fluid_steps = 0;
   double grain_time = 0.0;  ///< that the grains took [s]
   long settling_steps = 0;  ///< of the grains at the present capillary pressure
+  SwellingState swelling;
 };
 
 /// What follows from network and place.
@@ -65,9 +68,20 @@ void move_grains(const UnsaturatedOptions& options, double duration, GrainSystem
                  UnsaturatedState& state);
 
 /// The fluids follow the grains: every pore's change of volume is passed on, then the network has its new geometry, or is
-/// made anew where grains went too far.
+/// made anew where grains went too far. So slowly that no viscous pressure arises.
 void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particles& particles, PoreNetwork& network,
                    UnsaturatedState& state, UnsaturatedCache& cache);
+
+/// The same in a time [s], from which viscous pressures arise, and while grains take water out of pores [m3/s].
+void follow_grains(const UnsaturatedOptions& options, double time, std::span<const double> uptake, GrainSystem& grains,
+                   Particles& particles, PoreNetwork& network, UnsaturatedState& state, UnsaturatedCache& cache);
+
+/// Pressure of the water's reservoirs from here on, below that of the air [Pa].
+void set_water_pressure(const Schedule& pressure, UnsaturatedCache& cache);
+
+/// The forces of the fluids on grains and walls as they stand; they act until the next call.
+void set_fluid_forces(const PoreNetwork& network, const Particles& particles, GrainSystem& grains, UnsaturatedState& state,
+                      const UnsaturatedCache& cache);
 
 /// The fluids come to rest at the capillary pressure of the state; then their forces are set.
 void rest_fluids(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, GrainSystem& grains,

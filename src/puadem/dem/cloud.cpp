@@ -94,21 +94,50 @@ void place_clump(PlacedGrains& placed, const Clump& clump, Random& random) {
   for (std::size_t k = 0; k < at.size(); ++k) place(placed, clump.grain[k], at[k]);
 }
 
+/// Grains of their own size, before the cloud is scattered around them.
+void place_added(PlacedGrains& placed, const PackingSource& source, Random& random) {
+  int grain = source.count;
+  for (const AddedGrains& added : source.added)
+    for (int k = 0; k < added.count; ++k, ++grain) {
+      if (!added.at) {
+        place_clump(placed, {.grain = {grain}, .offset = {Vec3{}}, .radius = added.radius}, random);
+        continue;
+      }
+      Vec3 centre = placed.box.lower;
+      const Vec3 size = placed.box.size();
+      for (int axis = 0; axis < 3; ++axis) centre[axis] += (*added.at)[axis] * size[axis];
+      require(is_free(placed, centre, added.radius), "grains.added: another grain lies at {:g}, {:g}, {:g} of the box",
+              added.at->x, added.at->y, added.at->z);
+      place(placed, grain, centre);
+    }
+}
+
 }  // namespace
 
 Packing random_cloud(const PackingSource& source, std::span<const Material> materials) {
   for (const MaterialShare& share : source.materials)
     require(share.material >= 0 && share.material < size_of(materials), "grains of material {} of {} materials", share.material,
             materials.size());
-  const std::vector<double> radius = grain_radii(source.grading, source.count, source.seed);
+  const std::vector<double> graded = grain_radii(source.grading, source.count, source.seed);
+  std::vector<int> material = assign_materials(graded, source.materials);
+  std::vector<double> radius = graded;
+  for (const AddedGrains& added : source.added) {
+    require(added.material >= 0 && added.material < size_of(materials), "grains of material {} of {} materials", added.material,
+            materials.size());
+    require(added.radius > 0.0 && added.count > 0, "{} added grains of radius {} m", added.count, added.radius);
+    require(!added.at || added.count == 1, "{} added grains cannot all lie at one place", added.count);
+    radius.insert(radius.end(), to_size(added.count), added.radius);
+    material.insert(material.end(), to_size(added.count), added.material);
+  }
   const double largest = *std::max_element(radius.begin(), radius.end());
   PlacedGrains placed = empty_box(cloud_box(source, radius, largest), radius);
   Random random(source.seed ^ 0x636c6f7564ULL);
-  for (const Clump& clump : make_clumps(source, radius, random)) place_clump(placed, clump, random);
+  place_added(placed, source, random);
+  for (const Clump& clump : make_clumps(source, graded, random)) place_clump(placed, clump, random);
   Packing cloud;
   cloud.domain = placed.box;
-  cloud.particles = make_particles(placed.position, radius, materials, assign_materials(radius, source.materials));
-  cloud.report.grading_error = grading_error(source.grading, radius);
+  cloud.particles = make_particles(placed.position, radius, materials, material);
+  cloud.report.grading_error = grading_error(source.grading, graded);
   cloud.report.porosity_box = porosity_of(cloud.particles.position, radius, cloud.domain);
   return cloud;
 }

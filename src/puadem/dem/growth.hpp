@@ -13,4 +13,8 @@ namespace puadem {
 /// @throws InputError  a radius that is not positive, or not one radius a grain
 void set_radii(GrainSystem& system, std::span<const double> radius);
 
+/// The same with new masses, by identity too [kg]; the moments of inertia are those of even density. Velocities stay: what
+/// is taken up comes with the velocity of its grain.
+void set_radii(GrainSystem& system, std::span<const double> radius, std::span<const double> mass);
+
 }  // namespace puadem

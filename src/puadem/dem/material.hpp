@@ -1,11 +1,13 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "puadem/dem/contact_laws/pair_constants.hpp"
+#include "puadem/dem/swelling_law.hpp"
 
 namespace puadem {
 
@@ -18,6 +20,7 @@ struct Material {
   double youngs_modulus = 150e6;                            ///< E [Pa]
   double poisson_ratio = 0.3;                               ///< nu [-]
   double friction_angle = 30.0 / 180.0 * std::numbers::pi;  ///< phi [rad], mu = tan(phi)
+  std::optional<SwellingLaw> swelling{};                    ///< none: grains keep their size
 };
 
 /// Constants of every ordered pair of materials, and of every material against a wall.

@@ -56,6 +56,14 @@ struct CompactionProgress {
 };
 using CompactionCallback = std::function<bool(const CompactionProgress&)>;
 
+/// Grains beside those of the grading, all alike.
+struct AddedGrains {
+  double radius = 0.0;     ///< [m]
+  int material = 0;        ///< index into the materials of the case
+  int count = 1;           ///< [-]
+  std::optional<Vec3> at;  ///< of a single one: its centre in the cloud, as shares of the box [-]; none: anywhere
+};
+
 /// What to pack.
 struct PackingSource {
   Grading grading;
@@ -65,8 +73,9 @@ struct PackingSource {
   std::array<bool, 3> periodic{false, false, false};
   std::uint64_t seed = 1;
   enum class Cloud { uniform, clumped };
-  Cloud cloud = Cloud::uniform;  ///< grains scattered one by one, or in clumps that all but touch; no rigid bodies
-  double clump_size = 20.0;      ///< mean number of grains in a clump [-]
+  Cloud cloud = Cloud::uniform;      ///< grains scattered one by one, or in clumps that all but touch; no rigid bodies
+  double clump_size = 20.0;          ///< mean number of grains in a clump [-]
+  std::vector<AddedGrains> added{};  ///< after the others in the arrays, before them in the cloud
 };
 
 struct Packing {

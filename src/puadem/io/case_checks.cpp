@@ -134,6 +134,17 @@ void check_mixture(const TomlValue& tree, const Case& c, const std::vector<std::
     problems.error(place, fmt::format("the fractions of grains.materials add to {:.6g}; they must add to 1", sum));
 }
 
+void check_added(const TomlValue& tree, const Case& c, const std::vector<std::string>& names, Problems& problems) {
+  for (const GrainOptions::Added& added : c.grains.added) {
+    const Place place = place_of_key(tree, {"grains", "added"});
+    if (!added.material.empty() && std::ranges::find(names, added.material) == names.end())
+      problems.error(place, no_material(added.material, "grains.added", names));
+    if (added.at && added.count != 1)
+      problems.error(place, "grains.added: at is the place of one grain; leave count out, or leave the place to chance");
+    if (c.grains.file) problems.error(place, "grains.file and grains.added exclude each other; remove one");
+  }
+}
+
 void check_pairs(const TomlValue& tree, const Case& c, const std::vector<std::string>& names, Problems& problems) {
   for (const PairOverride& pair : c.contact.pairs)
     for (const std::string& name : pair.materials)
@@ -146,6 +157,7 @@ void check_materials(const TomlValue& tree, Case& c, Problems& problems) {
   std::vector<std::string> names;
   for (const Material& m : c.materials) names.push_back(m.name);
   check_pairs(tree, c, names, problems);
+  check_added(tree, c, names, problems);
   if (has(tree, "grains", "materials")) return check_mixture(tree, c, names, problems);
   if (std::ranges::find(names, c.grains.material) != names.end()) return;
   const bool is_named = has(tree, "grains", "material");

@@ -8,6 +8,25 @@
 
 namespace puadem {
 
+namespace {
+
+void check_times(const UnsaturatedStage& s, const TomlValue& tree, const CoupledStageChecks& at) {
+  if (s.times.empty()) {
+    if (s.coupling_interval) at.error("coupling_interval", ".coupling_interval is used with times only; remove it");
+    return;
+  }
+  if (s.times.size() != s.path.size())
+    at.error("times",
+             fmt::format(".times needs one time for each pressure of the path: {}, not {}", s.path.size(), s.times.size()));
+  if (s.times.front() != 0.0) at.error("times", ".times begins at 0");
+  if (s.times.size() < 2) at.error("times", ".times needs two times or more");
+  if (!std::ranges::is_sorted(s.times, std::less_equal<>{})) at.error("times", ".times must rise");
+  if (s.strain) at.error("times", ".times and .strain exclude each other; use a stage for each");
+  if (tree.find("step") != nullptr) at.error("step", ".step is not used with times; remove it");
+}
+
+}  // namespace
+
 void check_unsaturated_stage(const UnsaturatedStage& s, const TomlValue& tree, int index, const Case& c, Problems& problems) {
   const CoupledStageChecks at{tree, index, c, problems};
   if (norm(c.motion.gravity) > 0.0)
@@ -30,7 +49,8 @@ void check_unsaturated_stage(const UnsaturatedStage& s, const TomlValue& tree, i
   for (const char* key : {"strain_rate", "strain_step"})
     if (!s.strain && tree.find(key) != nullptr) at.error(key, fmt::format(".{} is used with strain only; remove it", key));
   for (std::size_t i = 1; i < s.path.size(); ++i)
-    if (s.path[i] == s.path[i - 1]) at.error("path", ".path: a pressure must differ from the one before it");
+    if (s.times.empty() && s.path[i] == s.path[i - 1]) at.error("path", ".path: a pressure must differ from the one before it");
+  check_times(s, tree, at);
   double span = 0.0;
   for (std::size_t i = 1; i < s.path.size(); ++i) span += std::abs(s.path[i] - s.path[i - 1]);
   if (span / s.step > 1e5) at.error("step", fmt::format(".step makes {:.3g} steps along the path; at most 1e5", span / s.step));

@@ -105,6 +105,23 @@ const Section<Grading>& grading_section() {
 
 // [materials.NAME]
 
+const Section<SwellingLaw>& swelling_section() {
+  static const Section<SwellingLaw> section{{
+      bind<SwellingLaw>(needed(quantity("diffusivity", "m2/s", above(0), between(1e-14, 1e-4), R"("5e-8 m2/s")",
+                                        "D of the growth law of theory 7.9")),
+                        &SwellingLaw::diffusivity),
+      bind<SwellingLaw>(needed(number("largest_ratio", above(1), "largest radius over that of the dry grain", between(1, 10))),
+                        &SwellingLaw::largest_ratio),
+      bind<SwellingLaw>(
+          noted(quantity("largest_stress", "Pa", above(0), between(1, 1e8), R"("10 kPa")",
+                         "mean stress in a grain at which it takes up nothing more; its growth falls with the stress "
+                         "along a straight line"),
+                "stress does not hinder the growth"),
+          &SwellingLaw::largest_stress),
+  }};
+  return section;
+}
+
 const Section<Material>& material_section() {
   static const Section<Material> section{{
       bind<Material>(quantity("density", "kg/m3", above(0), between(100, 2e4), R"("2650 kg/m3")", "of the solid grain"),
@@ -116,6 +133,8 @@ const Section<Material>& material_section() {
       bind<Material>(quantity("friction_angle", "rad", Interval{0, 90 * degree, false, true}, between(0, 60 * degree),
                               R"("30 deg")", "between grains, mu = tan(angle)"),
                      &Material::friction_angle),
+      bind_table<Material>(plain("swelling", "a table", "grains that take up the wetting fluid and grow"), swelling_section,
+                           &Material::swelling),
   }};
   return section;
 }
@@ -129,6 +148,27 @@ const Section<GrainOptions::Share>& share_section() {
                          "share of the solid volume; the shares add to 1, and every size of grain holds the mixture"),
                   &Share::fraction),
   }};
+  return section;
+}
+
+const Section<GrainOptions::Added>& added_section() {
+  using Added = GrainOptions::Added;
+  static const Section<Added> section = [] {
+    Section<Added> s{{
+        bind<Added>(needed(quantity("diameter", "m", above(0), between(1e-6, 0.1), R"("0.5 mm")", "of these grains, all alike")),
+                    &Added::diameter),
+        bind<Added>(needed(plain("material", "a name", "a table [materials.NAME]", R"("hydrogel")")), &Added::material),
+        bind<Added>(whole("count", 1, 1e7, "how many", "1"), &Added::count),
+    }};
+    KeyInfo at = noted(number("at", between(0, 1),
+                              "place of a single one before the compaction, as shares of the box: there it stays but for the "
+                              "motion of the compaction"),
+                       "anywhere");
+    at.type = "a list of three numbers";
+    at.example = "[0.5, 0.5, 0.5]";
+    s.fields.push_back(bind<Added>(at, &Added::at));
+    return s;
+  }();
   return section;
 }
 
@@ -187,6 +227,8 @@ const Section<GrainOptions>& grains_section() {
         bind_table<GrainOptions>(plain("grading", "a table", "sizes of the grains"), grading_section, &GrainOptions::grading),
         bind_tables<GrainOptions>(plain("materials", "a list of tables", "a mixture, in place of material"), share_section,
                                   &GrainOptions::materials),
+        bind_tables<GrainOptions>(plain("added", "a list of tables", "grains beside those of count and grading"), added_section,
+                                  &GrainOptions::added),
     }};
     auto& material = s.fields[2];
     material.write = [write = material.write](const GrainOptions& g) { return g.materials.empty() ? write(g) : std::string(); };
@@ -219,7 +261,7 @@ Field<Case> materials_field() {
   field.write_tables = [](const std::string& path, const Case& c) {
     std::string text;
     for (const Material& m : c.materials)
-      text += "\n[" + path + "." + toml_key(m.name) + "]\n" + write_table("", material_section(), m);
+      text += "\n[" + path + "." + toml_key(m.name) + "]\n" + write_table(path + "." + toml_key(m.name), material_section(), m);
     return text;
   };
   field.describe = [](const std::string& path, std::vector<KeyDoc>& out) {

@@ -21,7 +21,20 @@ void add_path(Fields& fields) {
                                            "turning points of the capillary pressure between the reservoirs")),
                            &S::path));
   fields.back().info.type = "a list of pressures";
+  fields.push_back(bind<S>(
+      noted(quantity(
+                "times", "s", at_least(0), between(1e-9, 1e6), R"(["0 s", "50 ms"])",
+                "when the reservoirs reach each pressure of the path, straight lines between, the first at 0: from rest at the "
+                "first pressure grains and fluids then move in time, and grains of materials with swelling grow"),
+            "rest at every step of the path"),
+      &S::times));
+  fields.back().info.type = "a list of times";
+  fields.push_back(bind<S>(noted(quantity("coupling_interval", "s", above(0), between(1e-9, 1), R"("0.1 ms")",
+                                          "with times: longest time over which the fluids' forces stay the same"),
+                                 "half of the limit of theory 7.3"),
+                           &S::coupling_interval));
   fields.push_back(bind<S>(quantity("step", "Pa", above(0), between(1e-2, 1e8), R"("50 Pa")", "along the path"), &S::step));
+  fields.back().write = [write = fields.back().write](const S& s) { return s.times.empty() ? write(s) : std::string(); };
 }
 
 void add_places(Fields& fields) {

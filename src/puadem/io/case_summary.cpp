@@ -61,7 +61,10 @@ std::string materials_text(const Case& c) {
   std::string text;
   for (const GrainOptions::Share& share : c.grains.materials)
     text += fmt::format("{}{:.4g} % {}", text.empty() ? "" : ", ", 100.0 * share.fraction, share.name);
-  return text.empty() ? c.grains.material : text;
+  if (text.empty()) text = c.grains.material;
+  for (const GrainOptions::Added& added : c.grains.added)
+    text += fmt::format(" and {} of {}, {}", added.count, added.material, show(added.diameter, "m"));
+  return text;
 }
 
 void describe_grains(const Case& c, const SummaryBasis& basis, CaseSummary& summary) {

@@ -160,11 +160,14 @@ void describe(const SaturatedStage& stage, Walk& w) {
 }
 
 void describe(const UnsaturatedStage& stage, Walk& w) {
-  const auto stops = stage.path.empty() ? std::vector<RetentionStop>{} : retention_stops({stage.path, stage.step, 1.0});
+  const bool moves = !stage.times.empty();
+  const auto stops = stage.path.empty() || moves ? std::vector<RetentionStop>{} : retention_stops({stage.path, stage.step, 1.0});
   std::string text = points_text(stage.path);
+  if (moves) text += fmt::format(" in {}", show(stage.times.back(), "s"));
   if (stage.stress) text += fmt::format(", {} on the loaded walls", show(*stage.stress, "Pa"));
   if (stage.strain) text += fmt::format(", then to a strain of {} along z", *stage.strain);
-  add_stage(w.summary, w.number, fmt::format("{} {}, {} equilibria", UnsaturatedStage::kind, text, stops.size()));
+  if (!moves) text += fmt::format(", {} equilibria", stops.size());
+  add_stage(w.summary, w.number, fmt::format("{} {}", UnsaturatedStage::kind, text));
   w.equilibria += size_of(stops);
   if (!stage.stress) return;
   for (int face = 0; face < 6; ++face)

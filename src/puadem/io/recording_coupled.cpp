@@ -26,22 +26,40 @@ void take_picture(ResultsFolder& folder, const State& state, const UnsaturatedRo
                       section_picture(map, state.saturation), cut_grains(state, map, state.unsaturated->forces.grain)});
 }
 
+void write_unsaturated_fields(ResultsFolder& folder, const Case& c, const State& state, double time) {
+  write_frame(folder, folder.grain_frames, "grains", time, grain_fields(state));
+  write_frame(folder, folder.contact_frames, "contacts", time, contact_fields(state));
+  write_frame(folder, folder.pore_frames, "pores", time, pore_fields(state));
+  write_frame(folder, folder.throat_frames, "throats", time, throat_fields(state, c.fluids));
+}
+
+/// A state on the way: sets of files as in stages that load the grains, at every so many rows.
+void record_moment(ResultsFolder& folder, const Case& c, const State& state, const UnsaturatedRow& row) {
+  take_picture(folder, state, row);
+  const auto& rows = state.unsaturated_flows.back().rows;
+  const auto moments = std::ranges::count_if(rows, [](const UnsaturatedRow& r) { return r.time.has_value(); });
+  const int every = std::max(1, c.output.history_rows / std::max(1, c.output.fields_count));
+  if (c.output.fields && (moments - 1) % every == 0) write_unsaturated_fields(folder, c, state, state.time);
+}
+
 /// A state at rest: every such one, as the equilibria of a retention stage.
 void record_unsaturated(ResultsFolder& folder, const Case& c, const State& state, const UnsaturatedRow& row) {
   AppendFile& rows = series(folder, folder.unsaturated, "unsaturated.csv", unsaturated_header);
   rows.append(unsaturated_line(row));
   rows.flush();
+  if (const auto& swelling = state.unsaturated_flows.back().swelling; !swelling.empty()) {
+    AppendFile& swollen = series(folder, folder.swelling, "swelling.csv", swelling_header);
+    swollen.append(swelling_line(row, swelling.back()));
+    swollen.flush();
+  }
   folder.has_result = true;
+  if (row.time) return record_moment(folder, c, state, row);
   record_message(folder, fmt::format("{}: {}: p_c = {:.6g} Pa, S = {:.6f}, strain {:.4g}, {} rounds", row.stage, row.branch,
                                      row.capillary_pressure, row.saturation, row.strain, row.rounds));
   take_picture(folder, state, row);
   const int equilibrium = folder.equilibria++;
-  if (!c.output.fields || equilibrium % std::max(c.output.fields_every, 1) != 0) return;
-  const double time = equilibrium;
-  write_frame(folder, folder.grain_frames, "grains", time, grain_fields(state));
-  write_frame(folder, folder.contact_frames, "contacts", time, contact_fields(state));
-  write_frame(folder, folder.pore_frames, "pores", time, pore_fields(state));
-  write_frame(folder, folder.throat_frames, "throats", time, throat_fields(state, c.fluids));
+  if (c.output.fields && equilibrium % std::max(c.output.fields_every, 1) == 0)
+    write_unsaturated_fields(folder, c, state, equilibrium);
 }
 
 }  // namespace

@@ -85,6 +85,33 @@ json spreads_json(const UnsaturatedRecord& record, std::size_t end) {
   return spreads;
 }
 
+/// Swelling grains in time.
+json swelling_json(const UnsaturatedRecord& record) {
+  using Swelling = SwellingRow;
+  std::vector<Row> rows;
+  std::vector<Swelling> swollen;
+  for (std::size_t k = 0; k < record.swelling.size(); ++k)
+    if (record.rows[k].time) {
+      rows.push_back(record.rows[k]);
+      swollen.push_back(record.swelling[k]);
+    }
+  if (rows.empty()) return nullptr;
+  return {{"time", column(rows, &Row::time)},
+          {"saturation", column(rows, &Row::saturation)},
+          {"porosity", column(rows, &Row::porosity)},
+          {"radius_mean", column(swollen, &Swelling::radius_mean)},
+          {"radius_least", column(swollen, &Swelling::radius_least)},
+          {"radius_most", column(swollen, &Swelling::radius_most)},
+          {"wetted", column(swollen, &Swelling::wetted)},
+          {"grown", column(swollen, &Swelling::grown)},
+          {"from_pores", column(swollen, &Swelling::from_pores)},
+          {"from_reservoirs", column(swollen, &Swelling::from_reservoirs)},
+          {"p", column(swollen, &Swelling::mean_stress)},
+          {"q", column(swollen, &Swelling::deviatoric_stress)},
+          {"q_mean", column(swollen, &Swelling::grain_deviator_mean)},
+          {"q_deviation", column(swollen, &Swelling::grain_deviator_deviation)}};
+}
+
 }  // namespace
 
 json unsaturated_json(const ResultsFolder& folder, const State& state) {
@@ -105,6 +132,7 @@ json unsaturated_json(const ResultsFolder& folder, const State& state) {
                       {"axis", std::string(1, "xyz"[record.axis])},
                       {"width", ForceSpread::width},
                       {"branches", std::move(branches)},
+                      {"swelling", swelling_json(record)},
                       {"pictures", pictures_json(folder, record.stage)},
                       {"spreads", spreads_json(record, first_end)}});
   }
@@ -120,8 +148,10 @@ json unsaturated_rows(const UnsaturatedStage& s) {
   };
   std::string path;
   for (const double p : s.path) path += fmt::format("{}{}", path.empty() ? "" : " → ", in_print(p, "Pa"));
+  std::string times;
+  for (const double t : s.times) times += fmt::format("{}{}", times.empty() ? "" : " → ", in_print(t, "s"));
   json rows = json::array({{"Path of p_c", path},
-                           {"Output step", in_print(s.step, "Pa")},
+                           s.times.empty() ? json{"Output step", in_print(s.step, "Pa")} : json{"Reached after", times},
                            {"Air enters at", std::string(face_names[to_size(s.air)])},
                            {"Water leaves at", faces(s.water)}});
   if (s.stress) rows.push_back({"Loaded", fmt::format("{}, {}", faces(s.loaded), in_print(*s.stress, "Pa"))});
@@ -131,6 +161,7 @@ json unsaturated_rows(const UnsaturatedStage& s) {
         {"Rate of strain", s.strain_rate ? fmt::format("{:.4g} 1/s", *s.strain_rate) : "quasi-static, inertial number 5 × 10⁻⁴"});
     rows.push_back({"Fluids follow after a strain of", fmt::format("{:.4g}", s.strain_step)});
   }
+  if (s.coupling_interval) rows.push_back({"Forces of the fluids stay for", in_print(*s.coupling_interval, "s")});
   rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
   rows.push_back({"Grains at rest below an unbalanced force of", fmt::format("{:.4g}", s.unbalanced)});
   rows.push_back(

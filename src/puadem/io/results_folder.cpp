@@ -108,7 +108,8 @@ void write_summary(ResultsFolder& folder, const Case& c, const State& state, con
 std::vector<AppendFile*> append_files(ResultsFolder& folder) {
   return {&folder.log,         &folder.progress,  &folder.retention,        &folder.events,
           &folder.compaction,  &folder.history,   &folder.pressure,         &folder.flow,
-          &folder.flow_events, &folder.saturated, &folder.pressure_profile, &folder.unsaturated};
+          &folder.flow_events, &folder.saturated, &folder.pressure_profile, &folder.unsaturated,
+          &folder.swelling};
 }
 
 double wall_seconds(const ResultsFolder& folder) {

@@ -78,7 +78,7 @@ struct ResultsFolder : RecordingMemory {
   std::string previous_latest;         ///< what `latest` pointed to before; empty: nothing
   bool linked = false;                 ///< `latest` was set to this run
   AppendFile log, progress, retention, events, compaction, history, pressure, flow, flow_events;  ///< opened when first needed
-  AppendFile saturated, pressure_profile, unsaturated;                                            ///< the same
+  AppendFile saturated, pressure_profile, unsaturated, swelling;                                  ///< the same
   std::optional<SectionMap> section;                                                              ///< of the pictures
   int section_pores = 0;  ///< of the network it was cut from
   std::chrono::steady_clock::time_point last_progress{};

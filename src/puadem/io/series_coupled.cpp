@@ -23,14 +23,21 @@ std::string unsaturated_line(const UnsaturatedRow& r) {
   for (unsigned a = 0; a < 3; ++a)
     if (r.chains_span[a]) spans += "xyz"[a];
   const Vec3 &s = r.contact_stress, &f = r.fluid_stress;
-  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", r.stage, r.branch, r.capillary_pressure,
-                                 r.pc_star, r.saturation, r.strain, r.volume_strain, r.porosity, r.total_stress, s.x, s.y, s.z,
-                                 f.x, f.y, f.z, text_of(r.chi_contact), text_of(r.chi_fluid));
+  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", r.stage, r.branch, text_of(r.time),
+                                 r.capillary_pressure, r.pc_star, r.saturation, r.strain, r.volume_strain, r.porosity,
+                                 r.total_stress, s.x, s.y, s.z, f.x, f.y, f.z, text_of(r.chi_contact), text_of(r.chi_fluid));
   line +=
       fmt::format(",{},{},{},{},{},{},{},{},{},{}", r.mean_force, r.mean_force_ratio, r.strong_share, spans, r.coordination,
                   r.contact_anisotropy, text_of(r.capillary_anisotropy), r.capillary_force, r.pressure_force, r.tension_force);
   return line + fmt::format(",{},{},{},{},{},{},{}\n", r.trapped_wetting, r.trapped_nonwetting, r.wetting_error,
                             r.nonwetting_error, r.rounds, r.remeshes, r.pores_changed);
+}
+
+std::string swelling_line(const UnsaturatedRow& r, const SwellingRow& s) {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.stage, text_of(r.time), r.capillary_pressure,
+                     r.saturation, s.radius_mean, s.radius_least, s.radius_most, s.wetted, s.grown, s.from_pores,
+                     s.from_reservoirs, s.water_error, r.porosity, s.mean_stress, s.deviatoric_stress, s.grain_deviator_mean,
+                     s.grain_deviator_deviation);
 }
 
 std::string pressure_profile_lines(const SaturatedRecord& record, const PressureProfile& profile) {

@@ -16,14 +16,18 @@ inline constexpr std::string_view saturated_header =
 inline constexpr std::string_view pressure_profile_header = "stage,time_s,time_factor,place_m,pressure_Pa,terzaghi_Pa,pores\n";
 
 inline constexpr std::string_view unsaturated_header =
-    "stage,branch,pc_Pa,pc_star,saturation,axial_strain,volume_strain,porosity,total_stress_Pa,contact_stress_xx_Pa,"
+    "stage,branch,time_s,pc_Pa,pc_star,saturation,axial_strain,volume_strain,porosity,total_stress_Pa,contact_stress_xx_Pa,"
     "contact_stress_yy_Pa,contact_stress_zz_Pa,fluid_stress_xx_Pa,fluid_stress_yy_Pa,fluid_stress_zz_Pa,chi_contact,chi_fluid,"
     "mean_normal_force_N,mean_force_ratio,strong_contacts,chains_span,coordination,contact_anisotropy,capillary_anisotropy,"
     "capillary_force_N,pressure_force_N,tension_force_N,trapped_wetting,trapped_nonwetting,wetting_error,nonwetting_error,rounds,"
     "remeshes,pores_changed\n";
+inline constexpr std::string_view swelling_header =
+    "stage,time_s,pc_Pa,saturation,radius_mean_m,radius_least_m,radius_most_m,wetted,grown_m3,from_pores_m3,from_reservoirs_m3,"
+    "water_error,porosity,mean_stress_Pa,deviatoric_stress_Pa,grain_deviator_mean_Pa,grain_deviator_deviation_Pa\n";
 
 std::string saturated_line(const SaturatedRow& row);
 std::string unsaturated_line(const UnsaturatedRow& row);
+std::string swelling_line(const UnsaturatedRow& row, const SwellingRow& swelling);
 std::string pressure_profile_lines(const SaturatedRecord& record, const PressureProfile& profile);
 
 }  // namespace puadem

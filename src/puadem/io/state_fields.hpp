@@ -297,22 +297,39 @@ void fields(auto& a, Is<SaturatedRecord> auto& record) {
        coupling_limit, coupling_interval);
 }
 
+void fields(auto& a, Is<SwellingState> auto& s) {
+  auto& [grain, start_radius, start_mass, wetted, from_pores, from_reservoirs, grown] = s;
+  each(a, "grain start_radius start_mass wetted from_pores from_reservoirs grown", grain, start_radius, start_mass, wetted,
+       from_pores, from_reservoirs, grown);
+}
+
+void fields(auto& a, Is<SwellingRow> auto& r) {
+  auto& [radius_mean, radius_least, radius_most, wetted, grown, from_pores, from_reservoirs, water_error, mean_stress,
+         deviatoric_stress, grain_deviator_mean, grain_deviator_deviation] = r;
+  each(a, "radius_mean radius_least radius_most wetted grown from_pores from_reservoirs water_error", radius_mean, radius_least,
+       radius_most, wetted, grown, from_pores, from_reservoirs, water_error);
+  each(a, "mean_stress deviatoric_stress grain_deviator_mean grain_deviator_deviation", mean_stress, deviatoric_stress,
+       grain_deviator_mean, grain_deviator_deviation);
+}
+
 void fields(auto& a, Is<UnsaturatedState> auto& s) {
   auto& [place, flow, forces, tension, capillary_pressure, void_listed, water_start, gas_start, remeshes, cells_renewed,
-         pores_changed, grain_steps, fluid_steps, grain_time, settling_steps] = s;
+         pores_changed, grain_steps, fluid_steps, grain_time, settling_steps, swelling] = s;
   each(a, "place flow forces tension capillary_pressure void_listed water_start gas_start remeshes cells_renewed pores_changed",
        place, flow, forces, tension, capillary_pressure, void_listed, water_start, gas_start, remeshes, cells_renewed,
        pores_changed);
-  each(a, "grain_steps fluid_steps grain_time settling_steps", grain_steps, fluid_steps, grain_time, settling_steps);
+  each(a, "grain_steps fluid_steps grain_time settling_steps swelling", grain_steps, fluid_steps, grain_time, settling_steps,
+       swelling);
 }
 
 void fields(auto& a, Is<UnsaturatedRow> auto& r) {
-  auto& [stage, branch, capillary_pressure, pc_star, saturation, strain, volume_strain, porosity, total_stress, contact_stress,
-         fluid_stress, chi_contact, chi_fluid, mean_force, mean_force_ratio, strong_share, chains_span, coordination,
-         contact_anisotropy, capillary_anisotropy, capillary_force, pressure_force, tension_force, trapped_wetting,
+  auto& [stage, branch, time, capillary_pressure, pc_star, saturation, strain, volume_strain, porosity, total_stress,
+         contact_stress, fluid_stress, chi_contact, chi_fluid, mean_force, mean_force_ratio, strong_share, chains_span,
+         coordination, contact_anisotropy, capillary_anisotropy, capillary_force, pressure_force, tension_force, trapped_wetting,
          trapped_nonwetting, wetting_error, nonwetting_error, rounds, remeshes, pores_changed] = r;
-  each(a, "stage branch capillary_pressure pc_star saturation strain volume_strain porosity total_stress contact_stress", stage,
-       branch, capillary_pressure, pc_star, saturation, strain, volume_strain, porosity, total_stress, contact_stress);
+  each(a, "stage branch time capillary_pressure pc_star saturation strain volume_strain porosity total_stress contact_stress",
+       stage, branch, time, capillary_pressure, pc_star, saturation, strain, volume_strain, porosity, total_stress,
+       contact_stress);
   each(a, "fluid_stress chi_contact chi_fluid mean_force mean_force_ratio strong_share chains_span coordination", fluid_stress,
        chi_contact, chi_fluid, mean_force, mean_force_ratio, strong_share, chains_span, coordination);
   each(a, "contact_anisotropy capillary_anisotropy capillary_force pressure_force tension_force trapped_wetting",
@@ -327,8 +344,8 @@ void fields(auto& a, Is<ForceSpread> auto& spread) {
 }
 
 void fields(auto& a, Is<UnsaturatedRecord> auto& record) {
-  auto& [stage, axis, rows, spreads] = record;
-  each(a, "stage axis rows spreads", stage, axis, rows, spreads);
+  auto& [stage, axis, rows, spreads, swelling] = record;
+  each(a, "stage axis rows spreads swelling", stage, axis, rows, spreads, swelling);
 }
 
 // The run.
@@ -370,12 +387,11 @@ void fields(auto& a, Is<SaturatedProgress> auto& at) {
 }
 
 void fields(auto& a, Is<UnsaturatedProgress> auto& at) {
-  auto& [began, mean_radius, solid_volume, first_force, start_size, stop, round, strain_rate, strain_rows, saturation_before,
-         strain_before] = at;
-  each(a,
-       "began mean_radius solid_volume first_force start_size stop round strain_rate strain_rows saturation_before strain_before",
-       began, mean_radius, solid_volume, first_force, start_size, stop, round, strain_rate, strain_rows, saturation_before,
-       strain_before);
+  auto& [began, mean_radius, first_force, start_size, stop, round, strain_rate, strain_rows, motion_began, interval, time_rows,
+         saturation_before, strain_before] = at;
+  each(a, "began mean_radius first_force start_size stop round strain_rate strain_rows motion_began interval time_rows", began,
+       mean_radius, first_force, start_size, stop, round, strain_rate, strain_rows, motion_began, interval, time_rows);
+  each(a, "saturation_before strain_before", saturation_before, strain_before);
 }
 
 void fields(auto& a, Is<RunPosition> auto& position) {

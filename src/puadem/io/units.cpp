@@ -96,9 +96,9 @@ std::optional<Unit> find_unit(std::string_view symbol) {
 }
 
 std::vector<std::string> common_units() {
-  return {"m",     "mm",    "um",   "cm",  "km",  "m2",  "m3",   "s",    "ms",   "min",   "h",     "Pa", "kPa", "MPa",
-          "GPa",   "hPa",   "bar",  "N",   "mN",  "kN",  "N/m",  "mN/m", "Pa s", "mPa s", "uPa s", "kg", "g",   "mg",
-          "kg/m3", "g/cm3", "t/m3", "deg", "rad", "m/s", "mm/s", "J",    "W",    "K",     "L",     "mL", "cP",  "%"};
+  return {"m",    "mm",  "um",  "cm",  "km",   "m2",   "m3",   "s",    "ms",    "min",   "h",  "Pa", "kPa", "MPa",   "GPa",
+          "hPa",  "bar", "N",   "mN",  "kN",   "N/m",  "mN/m", "Pa s", "mPa s", "uPa s", "kg", "g",  "mg",  "kg/m3", "g/cm3",
+          "t/m3", "deg", "rad", "m/s", "mm/s", "m2/s", "J",    "W",    "K",     "L",     "mL", "cP", "%"};
 }
 
 Unit raised(const Unit& unit, int power) {
