@@ -8,6 +8,7 @@
 #include "puadem/coupling/ready_grains.hpp"
 #include "puadem/coupling/saturated_results.hpp"
 #include "puadem/coupling/stages.hpp"
+#include "puadem/coupling/wall_servo.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/time_step.hpp"
 #include "puadem/flow/flow_boundary.hpp"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr long check_interval = 50;  // coupled steps between two looks at the time step
 constexpr double profiles_a_stage = 10;
-constexpr double servo_memory = 0.02;  // share of a lasting lag of the wall's servo that is made up for in a step of the grains
 
 /// A stage under way.
 struct Coupled {
@@ -132,15 +132,6 @@ long substeps(const Coupled& k) {
   return std::max(1L, static_cast<long>(time / k.grains.time_step * (1.0 + 1e-9)));
 }
 
-/// A servo lags behind grains that keep receding; its target makes up for what has been missing.
-void correct_servo(Coupled& k, long steps) {
-  for (Wall& wall : k.grains.walls) {
-    if (!wall.target || !(wall.stiffness > 0.0)) continue;
-    const double held = -dot(wall.force + wall.fluid_force, wall.normal) / wall.area;
-    *wall.target += (1.0 - std::pow(1.0 - servo_memory, static_cast<double>(steps))) * (*k.stage.stress - held);
-  }
-}
-
 void run_steps(Coupled& k) {
   for (;; ++k.at.step) {
     evaluate_forces(k.grains);
@@ -162,7 +153,7 @@ void run_steps(Coupled& k) {
     if (end >= k.at.duration * (1.0 - 1e-12))
       k.options.remesh_displacement = -1.0;  // the stage leaves a network of the last places
     saturated_step(k.options, n, k.grains, k.state.particles, k.state.network, k.fluid(), k.cache);
-    correct_servo(k, n);
+    if (k.stage.stress) correct_servo(*k.stage.stress, n, k.grains);
     k.state.domain = k.grains.domain;
     k.state.time += static_cast<double>(n) * k.grains.time_step;
   }

@@ -12,6 +12,7 @@
 #include "puadem/coupling/stages.hpp"
 #include "puadem/coupling/unsaturated_motion.hpp"
 #include "puadem/coupling/unsaturated_results.hpp"
+#include "puadem/coupling/wall_servo.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/flow/retention_path.hpp"
 
@@ -107,8 +108,11 @@ void write_row(Unsaturated& u, const std::string& branch) {
   row.rounds = u.at.round;
   u.record().rows.push_back(row);
   u.record().spreads.push_back(force_spread(u.grains(), u.fluids()));
-  if (u.fluids().swelling.size() > 0)
+  if (SwellingState& swelling = u.fluids().swelling; swelling.size() > 0) {
+    const auto centre = followed_centres(u.fluids().place, u.state.particles, u.grains().domain);
+    set_wetting(u.state.network, *u.cache.model, u.fluids().flow, centre, u.state.particles.radius, u.grains().domain, swelling);
     u.record().swelling.push_back(swelling_row(u.grains(), u.state.network, u.state.particles, u.fluids().swelling));
+  }
   u.state.saturation = saturation(u.state.network, u.fluids().flow);
   if (u.observer.unsaturated) u.observer.unsaturated(u.state, u.record().rows.back());
 }
@@ -257,7 +261,9 @@ void move_through_times(Unsaturated& u) {
     tell_progress(u);
     if (ends) return;
     const double longest = std::min({u.at.interval, whole - time, whole / u.c.output.history_rows});
+    const long before = s.grain_steps;
     move_in_time(u.options, u.c.materials, longest, pressure, time, u.grains(), u.state.particles, u.state.network, s, u.cache);
+    if (u.stage.stress) correct_servo(*u.stage.stress, s.grain_steps - before, u.grains());
     u.state.time = u.at.began + s.grain_time;
     u.state.domain = u.grains().domain;
     u.state.saturation = saturation(u.state.network, s.flow);
