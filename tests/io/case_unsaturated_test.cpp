@@ -115,6 +115,9 @@ stress = "10 kPa"
     EXPECT_EQ(law.largest_ratio, 3.6);
     EXPECT_EQ(law.largest_stress, 2e3);
   }
+  const auto warnings = parse_case(text, "case.toml", "/study").warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], ::testing::HasSubstr("materials.gel: nothing swells"));
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string changed = text;
     changed.replace(changed.find(from), from.size(), to);

@@ -321,6 +321,18 @@ void check_stage(const StrainStage& stage, const StageContext& at, Problems& pro
                    fmt::format("stage.{}: neither a rate nor a stress is given for any axis, nothing would happen", at.index));
 }
 
+/// Grains swell in time, which only one kind of stage knows.
+void check_swelling(const TomlValue& tree, const Case& c, Problems& problems) {
+  const auto has_time = [](const Stage& stage) {
+    const auto* s = std::get_if<UnsaturatedStage>(&stage);
+    return s != nullptr && !s->times.empty();
+  };
+  for (const Material& m : c.materials)
+    if (m.swelling && std::ranges::none_of(c.stages, has_time))
+      problems.warning(place_of_key(tree, {"materials", m.name, "swelling"}),
+                       fmt::format("materials.{}: nothing swells, for no stage \"unsaturated-flow\" has times", m.name));
+}
+
 void check_stages(const TomlValue& tree, const Case& c, Problems& problems) {
   const TomlValue* stages = tree.find("stage");
   if (stages == nullptr || stages->kind != TomlValue::Kind::array) return;
@@ -363,6 +375,7 @@ void check_case(const TomlValue& tree, Case& c, Problems& problems) {
     check_bridges(tree, c, problems);
   }
   check_stages(tree, c, problems);
+  check_swelling(tree, c, problems);
   check_overlays(tree, c, problems);
   // One angle for the network and the fluids.
   c.pores.contact_angle = c.fluids.contact_angle;
