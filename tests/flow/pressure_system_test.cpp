@@ -175,6 +175,29 @@ TEST(PressureSystem, TakesTheFullFactorWhereTheIncompleteOneIsSlow) {
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], expected[i], 1e-6 * std::abs(expected[i]));
 }
 
+TEST(PressureSystem, AFullFactorServesForOtherNumbersUntilItIsForgotten) {
+  Problem p = grid(20, 9.0, 9);
+  std::vector<double> x(to_size(p.unknowns)), expected(x.size());
+  PressureSystem system = system_of(p, Method::incomplete);
+  ASSERT_EQ(system.solve(p.right, x).iterations, 200);
+  for (std::size_t k = 0; k < p.conductance.size(); k += 7) p.conductance[k] *= 1.3;
+  system.set(p.conductance, p.diagonal);
+  std::ranges::fill(x, 0.0);
+  const int iterations = system.solve(p.right, x, 1e-14).iterations;
+  EXPECT_GT(iterations, 1);
+  EXPECT_LT(iterations, 20);
+  system_of(p, Method::cholesky).solve(p.right, expected);
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], expected[i], 1e-6 * std::abs(expected[i]));
+
+  system.forget();
+  system.set(p.conductance, p.diagonal);
+  std::ranges::fill(x, 0.0);
+  std::ranges::fill(expected, 0.0);
+  EXPECT_EQ(system.solve(p.right, x).iterations, 200);
+  system_of(p, Method::incomplete).solve(p.right, expected);
+  EXPECT_EQ(x, expected);
+}
+
 TEST(PressureSystem, StartsFromTheLastSolution) {
   const Problem p = grid(12, 4.0, 2);
   PressureSystem system = system_of(p, Method::multigrid);

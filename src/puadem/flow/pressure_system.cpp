@@ -22,6 +22,8 @@ double inner(std::span<const double> a, std::span<const double> b) {
 
 /// More iterations with an incomplete factor than this cost more than the full one.
 constexpr int iterations_worth_while = 200;
+/// More iterations with the full factor of earlier numbers than this cost more than one of the present ones.
+constexpr int iterations_by_old_factor = 20;
 
 bool chooses_cholesky(const PressureSolverOptions& options, int unknowns) {
   using enum PressureSolverOptions::Method;
@@ -37,6 +39,7 @@ struct PressureSystem::Parts {
   std::optional<Multigrid> multigrid;
   std::optional<IncompleteFactor> incomplete;
   bool factor_is_old = false;  ///< with an incomplete factor: the full one is of other numbers
+  bool factor_serves = false;  ///< it was made since the last `forget`: solves begin with it
   std::vector<double> residual, correction, direction, product;
 
   Parts(int unknowns, std::span<const std::array<int, 2>> links, const PressureSolverOptions& o)
@@ -46,11 +49,12 @@ struct PressureSystem::Parts {
       incomplete.emplace(matrix);
     } else if (chooses_cholesky(o, unknowns)) {
       factor.emplace(matrix);
+      return;
     } else {
       multigrid.emplace(matrix);
-      direction.resize(to_size(unknowns));
-      product.resize(to_size(unknowns));
     }
+    direction.resize(to_size(unknowns));
+    product.resize(to_size(unknowns));
   }
 
   /// residual = b - A p; returns its norm.
@@ -73,6 +77,7 @@ struct PressureSystem::Parts {
     if (!factor) factor.emplace(matrix);
     factor->factorise(matrix);
     factor_is_old = false;
+    factor_serves = true;
   }
 
   /// Norm of the residual of a solution.
@@ -92,14 +97,21 @@ struct PressureSystem::Parts {
     }
   }
 
+  void precondition(std::span<const double> r, std::span<double> z) {
+    if (multigrid)
+      multigrid->apply(r, z);
+    else
+      factor->solve(r, z);
+  }
+
   /// p = A^-1 b by iterations that start from p; returns their number, or the limit.
-  int iterate(std::span<const double> b, std::span<double> p) {
+  int iterate(std::span<const double> b, std::span<double> p, double tolerance, int most) {
     int iterations = 0;
     double norm = find_residual(b, p);
     // Ends where the residual made anew needs no iteration, or is as large as rounding makes it again and again.
     for (double last = std::numeric_limits<double>::infinity(); norm < 0.5 * last && norm > 0.0;) {
       last = norm;
-      const int more = conjugate_gradients(b, inner(b, p), options.iteration_limit - iterations);
+      const int more = conjugate_gradients(b, inner(b, p), tolerance, most - iterations);
       parallel_for(matrix.rows(), [&](int i) { p[to_size(i)] += correction[to_size(i)]; });
       if (more == 0) break;
       iterations += more;
@@ -113,12 +125,12 @@ struct PressureSystem::Parts {
   /// the solution itself (Hestenes and Stiefel 1952); it ends when the last two steps took next to nothing.
   /// @param start  p * b before the correction
   /// @return the iterations that were needed; 0 if the first step already takes next to nothing
-  int conjugate_gradients(std::span<const double> b, double start, int limit) {
+  int conjugate_gradients(std::span<const double> b, double start, double tolerance, int limit) {
     std::ranges::fill(correction, 0.0);
     const int n = matrix.rows();
     double before = 1.0, taken_before = 0.0;
     for (int iteration = 0; iteration < limit; ++iteration) {
-      multigrid->apply(residual, product);
+      precondition(residual, product);
       const double now = inner(residual, product);
       const double share = iteration == 0 ? 0.0 : now / before;
       before = now;
@@ -130,7 +142,7 @@ struct PressureSystem::Parts {
         residual[to_size(i)] -= step * product[to_size(i)];
       });
       const double taken = step * now, scale = start + inner(b, correction);
-      if (taken + taken_before <= options.tolerance * options.tolerance * scale) return iteration;
+      if (taken + taken_before <= tolerance * tolerance * scale) return iteration;
       taken_before = taken;
     }
     return limit;
@@ -165,9 +177,11 @@ PressureSolveReport PressureSystem::solve(std::span<const double> right_hand_sid
   }
   if (s.incomplete) {
     const double asked = tolerance > 0.0 ? tolerance : s.options.tolerance;
-    report.iterations = s.incomplete->solve(right_hand_side, pressure, asked, iterations_worth_while);
+    const int limit = s.factor_serves ? iterations_by_old_factor : iterations_worth_while;
+    report.iterations = s.factor_serves ? s.iterate(right_hand_side, pressure, asked, limit)
+                                        : s.incomplete->solve(right_hand_side, pressure, asked, limit);
     // Less than the usual tolerance was asked for, or the usual one is kept by the equations, too.
-    if (report.iterations < iterations_worth_while) {
+    if (report.iterations < limit) {
       if (asked > s.options.tolerance) return report;
       const double norm = s.find_residual(right_hand_side, pressure);
       report.residual = norm / scale;
@@ -178,7 +192,7 @@ PressureSolveReport PressureSystem::solve(std::span<const double> right_hand_sid
   if (s.factor)
     s.solve_by_factor(right_hand_side, pressure);
   else
-    report.iterations = s.iterate(right_hand_side, pressure);
+    report.iterations = s.iterate(right_hand_side, pressure, s.options.tolerance, s.options.iteration_limit);
   const double norm = s.find_residual(right_hand_side, pressure);
   report.residual = norm / scale;
   ensure(s.factor ? norm <= s.allowed(right_hand_side, pressure)
@@ -188,6 +202,8 @@ PressureSolveReport PressureSystem::solve(std::span<const double> right_hand_sid
          s.matrix.rows(), report.residual, report.iterations, s.options.tolerance);
   return report;
 }
+
+void PressureSystem::forget() { parts_->factor_serves = false; }
 
 int PressureSystem::unknowns() const { return parts_->matrix.rows(); }
 bool PressureSystem::is_factorised() const { return parts_->factor.has_value(); }

@@ -55,6 +55,10 @@ class PressureSystem {
   /// @throws NumericalError  where the residual stays above the tolerance and above what rounding leaves
   PressureSolveReport solve(std::span<const double> right_hand_side, std::span<double> pressure, double tolerance = 0.0);
 
+  /// With `incomplete`: what follows does not hang on earlier solves. Else, once the full factor was needed, later solves
+  /// begin with it as it was.
+  void forget();
+
   int unknowns() const;
   bool is_factorised() const;  ///< solved by Cholesky factors
   double bytes() const;        ///< memory of matrix and factor; 0 for what multigrid keeps to itself [B]

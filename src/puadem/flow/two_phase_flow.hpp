@@ -39,7 +39,7 @@ enum class GasKind : std::uint8_t {
 struct TwoPhaseSteps {
   /// Volume that may change hands in a step over that of the front, the pores beside throats with gas on one side: steps
   /// aim at it, and one that exceeds twice of it is taken back [-].
-  double front_change = 0.02;
+  double front_change = 0.005;
   double growth = 2.0;                                       ///< most by which a step may exceed the last [-]
   double longest = std::numeric_limits<double>::infinity();  ///< [s]
   int newton_limit = 30;                                     ///< iterations of a step before it is halved

@@ -223,6 +223,7 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
            {},
            {}};
   start_newton(n);
+  pressure_system(model, n.to_rest).forget();  // a step that is taken up from a checkpoint has no other solves before it
   trial.seconds_assemble += assembling.seconds();
   const double tolerance = model.options.steps.tolerance;
   bool exact = false;

@@ -72,6 +72,7 @@ double processor_seconds();
 void write_chains(const std::filesystem::path& folder);
 void write_slow_limit(const std::filesystem::path& folder);
 void write_schemes(const std::filesystem::path& folder);
+void write_step_lengths(const std::filesystem::path& folder);
 void write_merging(const std::filesystem::path& folder);
 void write_two_phase_invariances(const std::filesystem::path& folder);
 

@@ -8,7 +8,7 @@ using namespace puadem::verification;
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    fmt::print(stderr, "usage: verify_two_phase FOLDER [chains | slow | schemes | merging | same]...\n");
+    fmt::print(stderr, "usage: verify_two_phase FOLDER [chains | slow | schemes | lengths | merging | same]...\n");
     return 1;
   }
   const std::filesystem::path folder = argv[1];
@@ -20,5 +20,6 @@ int main(int argc, char** argv) {
   if (is_asked("same")) write_two_phase_invariances(folder);
   if (is_asked("merging")) write_merging(folder);
   if (is_asked("slow")) write_slow_limit(folder);
+  if (is_asked("lengths")) write_step_lengths(folder);
   if (is_asked("schemes")) write_schemes(folder);
 }

@@ -113,14 +113,38 @@ void write_schemes(const std::filesystem::path& folder) {
       fmt::print(stderr, "{} {} {} {}: {} steps, {:.1f} s, S = {:.4f}\n", drive, value, name_of(kind.scheme), name_of(kind.gas),
                  watch.steps, outcome.seconds, watch.saturation);
     };
-    for (const double front_change : {0.005, 0.02}) {
-      options.steps.front_change = front_change;
-      for (const double suction : {20.0, 10.0, 7.0, 5.5})
-        run(front_change < 0.01 ? "short steps; suction" : "suction", suction,
-            driven_by_suction(bed, options, bed.pressure(suction)), suction > 6.0 ? 0.15 : 0.4, 1e9);
-    }
+    for (const double suction : {20.0, 10.0, 7.0, 5.5})
+      run("suction", suction, driven_by_suction(bed, options, bed.pressure(suction)), suction > 6.0 ? 0.15 : 0.4, 1e9);
     for (const double capillary_number : {1e-3, 1e-4, 1e-5})
       run("rate", capillary_number, driven_by_rate(bed, options, capillary_number), 0.5, 1e9);
+  }
+}
+
+void write_step_lengths(const std::filesystem::path& folder) {
+  LedgerFile ledger(folder, "step_lengths");
+  Csv csv(folder / "step_lengths.csv", "suction,scheme,front_change,pores,steps,retries,solves,seconds,saturation");
+  Csv curves(folder / "step_length_curves.csv", "suction,scheme,front_change,time,saturation");
+  const Bed bed = make_bed(2000, 1);
+  for (const double suction : {20.0, 10.0}) {
+    const auto run = [&](TwoPhaseScheme scheme, double front_change) {
+      TwoPhaseOptions options;
+      options.scheme = scheme;
+      options.gas = GasKind::connected;
+      options.steps.front_change = front_change;
+      const TwoPhaseModel model = driven_by_suction(bed, options, bed.pressure(suction));
+      Watch watch{bed, model, start_two_phase(bed.network, model)};
+      watch.until = 0.15;
+      watch.keeps_curve = true;
+      const Outcome outcome = drain(bed, model, 1e9, watch);
+      csv.row(suction, name_of(scheme), front_change, bed.network.pores(), watch.steps, outcome.report.retries,
+              outcome.report.solves, outcome.seconds, watch.saturation);
+      for (const auto& [time, s] : watch.curve) curves.row(suction, name_of(scheme), front_change, time / model.time_scale, s);
+      ledger.row(fmt::format("suction {} front_change {}", suction, front_change), watch);
+      fmt::print(stderr, "suction {} {} front_change {}: {} steps, {:.1f} s\n", suction, name_of(scheme), front_change,
+                 watch.steps, outcome.seconds);
+    };
+    for (const double front_change : {0.005, 0.00125}) run(TwoPhaseScheme::impes, front_change);
+    for (const double front_change : {0.02, 0.01, 0.005, 0.0025, 0.00125}) run(TwoPhaseScheme::implicit, front_change);
   }
 }
 
