@@ -8,7 +8,6 @@
 #include "puadem/base/error.hpp"
 #include "puadem/dem/bridge_forces.hpp"
 #include "puadem/dem/bridge_pairs.hpp"
-#include "puadem/dem/neighbour_list.hpp"
 
 namespace puadem {
 
@@ -24,13 +23,12 @@ void put_on(GrainBridges& g, const std::array<int, 2>& ends, const std::array<do
   for (std::size_t side = 0; side < 2; ++side) g.film[to_size(has_film(g, ends[side]) ? ends[side] : ends[0])] += volume[side];
 }
 
-bool rupture(GrainBridges& g) {
+void rupture(GrainBridges& g) {
   const auto ruptured = rupture_bridges(g.model, g.rules.split, g.bridges);
   g.ruptured += size_of(ruptured);
-  if (ruptured.empty() || is_at_suction(g)) return !ruptured.empty();
+  if (ruptured.empty() || is_at_suction(g)) return;
   for (const RupturedBridge& r : ruptured) put_on(g, r.ends, r.volume);
   if (g.rules.exchange == BridgeRules::Exchange::neighbours) share_films(g.model, g.film, g.bridges);
-  return true;
 }
 
 /// Bridges of every end that has films.
@@ -82,29 +80,24 @@ bool has_bridge(const Bridges& bridges, const std::array<int, 2>& ends) {
   return std::ranges::binary_search(bridges.pairs.ends, ends);
 }
 
-/// Bridges on pairs that may carry one. @return how many were added
-int form(GrainBridges& g, const BridgePairs& pairs, const std::vector<double>& amount) {
+/// Bridges on pairs that may carry one; what finds no place goes back.
+void form(GrainBridges& g, const BridgePairs& pairs, const std::vector<double>& amount) {
   const int formed = form_bridges(g.model, pairs, amount, BridgeFormation::at_any_distance, g.bridges);
   g.formed += formed;
-  if (is_at_suction(g) || formed == size_of(pairs.ends)) return formed;
+  if (is_at_suction(g) || formed == size_of(pairs.ends)) return;
   for (std::size_t n = 0; n < amount.size(); ++n)
     if (!has_bridge(g.bridges, pairs.ends[n])) put_on(g, pairs.ends[n], {0.5 * amount[n], amount[n] - 0.5 * amount[n]});
-  return formed;
 }
 
-bool form_where_touched(GrainSystem& s) {
+void form_where_touched(GrainSystem& s) {
   GrainBridges& g = *s.bridges;
-  if (g.touched.empty()) return false;
+  if (g.touched.empty()) return;
   std::ranges::sort(g.touched);
   g.touched.erase(std::ranges::unique(g.touched).begin(), g.touched.end());
   std::erase_if(g.touched, [&](const auto& ends) { return has_bridge(g.bridges, ends); });
   const BridgePairs pairs = pairs_between(s, g.touched);
   g.touched.clear();
-  // Those that found no liquid are looked at again.
-  std::ranges::fill(g.list.met_grains, 0);
-  std::ranges::fill(g.list.met_walls, 0);
-  std::vector<double> amount = is_at_suction(g) ? std::vector<double>(pairs.ends.size(), g.suction) : draw(g, pairs);
-  return form(g, pairs, amount) > 0;
+  form(g, pairs, is_at_suction(g) ? std::vector<double>(pairs.ends.size(), g.suction) : draw(g, pairs));
 }
 
 /// Calls `visit(radius of an end, radius of its grain)`.
@@ -113,11 +106,11 @@ void for_each_radius(GrainSystem& s, const Visit& visit) {
   auto& radius = s.bridges->bridges.pairs.radius;
   for_each_bridge(
       s,
-      [&](int first, int second, int bridge, int) {
+      [&](int first, int second, int bridge) {
         visit(radius[to_size(bridge)][0], radius_of(s.record[to_size(first)]));
         visit(radius[to_size(bridge)][1], radius_of(s.record[to_size(second)]));
       },
-      [&](int, int record, int bridge, int) { visit(radius[to_size(bridge)][0], radius_of(s.record[to_size(record)])); });
+      [&](int, int record, int bridge) { visit(radius[to_size(bridge)][0], radius_of(s.record[to_size(record)])); });
 }
 
 bool have_grown(GrainSystem& s) {
@@ -126,27 +119,33 @@ bool have_grown(GrainSystem& s) {
   return changed;
 }
 
-bool follow_radii(GrainSystem& s) {
-  if (!have_grown(s)) return false;
+void follow_radii(GrainSystem& s) {
+  if (!have_grown(s)) return;
   for_each_radius(s, [&](double& kept, double now) { kept = now; });
   update_curves(s.bridges->model, s.bridges->bridges);
-  return true;
+}
+
+/// Is any bridge past its rupture, has a grain grown, or have ends touched that have none?
+bool is_exchange_due(GrainSystem& s) {
+  const GrainBridges& g = *s.bridges;
+  if (!g.touched.empty() || have_grown(s)) return true;
+  const PresentBridges now = present_bridges(s);
+  for (int k = 0; k < g.bridges.size(); ++k)
+    if (now.gap[to_size(k)] > rupture_distance(g.model, g.bridges, k)) return true;
+  return false;
 }
 
 void exchange(GrainSystem& s) {
+  if (!is_exchange_due(s)) return;
   GrainBridges& g = *s.bridges;
-  collect_bridges(g);
-  const auto is_past = [&](int k) { return g.bridges.pairs.gap[to_size(k)] > rupture_distance(g.model, g.bridges, k); };
-  bool is_due = !g.touched.empty() || have_grown(s);
-  for (int k = 0; k < g.bridges.size() && !is_due; ++k) is_due = is_past(k);
-  if (!is_due) return;
+  collect_bridges(s);  // here alone: the order in which a grain's bridges are listed goes by these gaps
   const double before = s.energy.is_kept ? rupture_work(g.model, g.bridges) : 0.0;
-  const bool has_grown = follow_radii(s), has_ruptured = rupture(g), has_formed = form_where_touched(s);
-  if (!has_grown && !has_ruptured && !has_formed) return;
+  follow_radii(s);
+  rupture(g);
+  form_where_touched(s);
   if (s.energy.is_kept) s.energy.wetting += rupture_work(g.model, g.bridges) - before;
   guard_images(s);
   list_bridges(s);
-  list_slots(s);
   update_bridge_forces(s);
 }
 
@@ -180,15 +179,37 @@ void wet_grains(GrainSystem& s, const BridgeModel& model, const BridgeRules& rul
   }
   guard_images(s);
   list_bridges(s);
-  list_slots(s);
+  update_bridge_forces(s);
+  add_wall_bridges(s);
+}
+
+void place_bridges(GrainSystem& s, const BridgeModel& model, const BridgeRules& rules, double suction, const BridgePairs& pairs,
+                   std::span<const double> amount) {
+  if (s.bridges)
+    for (const int k : s.bridges->list.at_wall) {
+      const GrainBridges& old = *s.bridges;
+      Wall& wall = s.walls[to_size(-1 - old.list.record[to_size(k)][1])];
+      wall.force -= old.bridges.force[to_size(k)] * wall.normal;
+    }
+  else
+    s.bridges.emplace().model = model;
+  GrainBridges& g = *s.bridges;
+  g.rules = rules;
+  g.suction = suction;
+  g.bridges = {};
+  form_bridges(g.model, pairs, amount, BridgeFormation::at_any_distance, g.bridges);
+  guard_images(s);
+  list_bridges(s);
   update_bridge_forces(s);
   add_wall_bridges(s);
 }
 
 void follow_bridges(GrainSystem& s) {
   update_bridge_forces(s);
-  note_touches(s);
-  if (s.steps % exchange_interval == 0) exchange(s);
+  if (!s.bridges->rules.by_pores) {
+    note_touches(s);
+    if (s.steps % exchange_interval == 0) exchange(s);
+  }
   add_wall_bridges(s);
 }
 
@@ -199,7 +220,6 @@ void restore_bridges(GrainSystem& s, const BridgeModel& model, const BridgeRules
   g.bridges.curve.resize(g.bridges.pairs.ends.size());
   update_curves(model, g.bridges);
   list_bridges(s);
-  list_slots(s);
   update_bridge_forces(s);
 }
 

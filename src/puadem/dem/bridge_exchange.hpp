@@ -16,6 +16,12 @@ struct BridgeSupply {
 /// @throws InputError  no pair that could carry a bridge, more liquid than bridges hold, a periodic box too narrow for them
 void wet_grains(GrainSystem& system, const BridgeModel& model, const BridgeRules& rules, const BridgeSupply& supply);
 
+/// The bridges of these pairs and no others, at given suction; that is where the fluids in the pores say where they stand.
+/// @param amount  per pair: the suction, or 0 for none [Pa]
+/// @pre as `wet_grains`
+void place_bridges(GrainSystem& system, const BridgeModel& model, const BridgeRules& rules, double suction,
+                   const BridgePairs& pairs, std::span<const double> amount);
+
 /// What a step does with the bridges once contacts are evaluated: forces; and from time to time rupture, and new bridges
 /// where ends have touched since.
 void follow_bridges(GrainSystem& system);

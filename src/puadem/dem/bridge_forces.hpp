@@ -6,41 +6,50 @@ namespace puadem {
 
 // The forces of liquid bridges on grains and walls. All functions want a system that has bridges.
 
-/// Sorts the bridges by place, for the records as they are; the slots must be listed anew.
+/// Lists the bridges for the records as they are.
 void list_bridges(GrainSystem& system);
 
-/// Slots that bridges take behind those of contacts.
-int bridge_slots(const BridgeList& list);
+/// Forces at the present places on grains, in the list, and of the bridges to walls.
+void update_bridge_forces(GrainSystem& system);
 
-/// Calls `visit(slot, first, second, bridge)` for all bridges: records, or the wall and a record where `second` names a grain
-/// at a wall; in the order of the slots.
-template <class Grains, class Walls>
-void for_each_bridge(const GrainSystem& s, const Grains& visit_grains, const Walls& visit_wall) {
-  const BridgeList& list = s.bridges->list;
-  const int offset = lane_count * (s.grain_contacts.size() + s.wall_contacts.size());
-  for (int b = 0; b < size_of(list.block); ++b)
-    for (int l = 0; l < lane_count; ++l) {
-      const BridgeBlock& block = list.block[to_size(b)];
-      if (block.bridge[to_size(l)] < 0) continue;
-      visit_grains(block.first[to_size(l)], block.second[to_size(l)], block.bridge[to_size(l)], offset + lane_count * b + l);
-    }
-  for (int w = 0; w < size_of(list.at_wall); ++w) {
-    const int bridge = list.at_wall[to_size(w)];
-    visit_wall(s.bridges->bridges.pairs.ends[to_size(bridge)][1] - s.owned, list.record_at_wall[to_size(w)], bridge,
-               offset + lane_count * size_of(list.block) + w);
+/// Adds the forces of the bridges to those on the walls.
+void add_wall_bridges(GrainSystem& system);
+
+/// What all bridges of a record pull it with [N]; nothing on dry grains.
+inline Vec3 bridge_pull_on(const GrainSystem& s, int record) {
+  return s.bridges ? vec3(s.bridges->list.pull[to_size(record)].force) : Vec3{};
+}
+
+/// Calls `visit(first, second, bridge)` for the bridges between grains, by records, and `visit_wall(wall, record, bridge)` for
+/// those to walls, in their order.
+template <class Visit, class VisitWall>
+void for_each_bridge(const GrainSystem& s, const Visit& visit, const VisitWall& visit_wall) {
+  const auto& record = s.bridges->list.record;
+  for (int k = 0; k < size_of(record); ++k) {
+    const auto [first, second] = record[to_size(k)];
+    if (second < 0)
+      visit_wall(-1 - second, first, k);
+    else
+      visit(first, second, k);
   }
 }
 
 /// In box lengths, the image of the second grain that is nearest to the first.
 std::array<double, 3> nearest_image(const GrainSystem& system, int first, int second);
 
-/// Forces at the present places, written to the slots behind those of the contacts.
-void update_bridge_forces(GrainSystem& system);
+/// Line from the centre of the first grain to that of the second, its nearest image [m].
+Vec3 branch_between(const GrainSystem& system, int first, int second);
 
-/// Adds the forces of the bridges to those on the walls.
-void add_wall_bridges(GrainSystem& system);
+/// Line from the foot on a wall to the centre of a grain [m].
+Vec3 height_over(const GrainSystem& system, int wall, int record);
 
-/// Gaps and forces as they were evaluated last, into `bridges`.
-void collect_bridges(GrainBridges& g);
+/// Gaps and forces of all bridges at the present places.
+struct PresentBridges {
+  std::vector<double> gap, force;  ///< [m], [N]
+};
+PresentBridges present_bridges(const GrainSystem& system);
+
+/// The same into `bridges`.
+void collect_bridges(GrainSystem& system);
 
 }  // namespace puadem

@@ -9,37 +9,21 @@ namespace puadem {
 
 namespace {
 
-/// Line from the centre of the first grain to that of the second.
-Vec3 branch_of(const GrainSystem& s, int first, int second) {
-  Vec3 branch = vec3(s.record[to_size(second)].place - s.record[to_size(first)].place);
-  const auto image = nearest_image(s, first, second);
-  const Vec3 size = s.domain.size();
-  for (int axis = 0; axis < 3; ++axis) branch[axis] += image[to_size(axis)] * size[axis];
-  return branch;
-}
-
-/// The same from the foot on a wall to the centre.
-Vec3 height_over(const GrainSystem& s, int wall, int record) {
-  const Wall& w = s.walls[to_size(wall)];
-  return dot(vec3(s.record[to_size(record)].place) - w.point, w.normal) * w.normal;
-}
-
 /// Bridges with gaps, forces and contents of the present places.
-Bridges present_bridges(const GrainSystem& s) {
-  GrainBridges g;
-  g.model = s.bridges->model;
-  g.bridges = s.bridges->bridges;
-  g.list.block = s.bridges->list.block;
-  collect_bridges(g);
-  update_contents(g.model, g.bridges);
-  return std::move(g.bridges);
+Bridges bridges_now(const GrainSystem& s) {
+  Bridges bridges = s.bridges->bridges;
+  PresentBridges now = present_bridges(s);
+  bridges.pairs.gap = std::move(now.gap);
+  bridges.force = std::move(now.force);
+  update_contents(s.bridges->model, bridges);
+  return bridges;
 }
 
 }  // namespace
 
 BridgeMeasures measure_bridges(const GrainSystem& s) {
   const GrainBridges& g = *s.bridges;
-  const Bridges now = present_bridges(s);
+  const Bridges now = bridges_now(s);
   BridgeMeasures m;
   CompensatedSum water, film, left;
   double force = 0.0;
@@ -67,23 +51,22 @@ BridgeMeasures measure_bridges(const GrainSystem& s) {
 }
 
 Tensor bridge_stress(const GrainSystem& s) {
+  const PresentBridges now = present_bridges(s);
   Tensor stress{};
+  const auto add = [&](int bridge, const Vec3& branch) {
+    add_outer(stress, -now.force[to_size(bridge)] * normalized(branch), branch);
+  };
   for_each_bridge(
-      s,
-      [&](int first, int second, int, int slot) {
-        add_outer(stress, vec3(s.slot[to_size(slot)].force), branch_of(s, first, second));
-      },
-      [&](int wall, int record, int, int slot) {
-        add_outer(stress, vec3(s.slot[to_size(slot)].force), height_over(s, wall, record));
-      });
+      s, [&](int first, int second, int bridge) { add(bridge, branch_between(s, first, second)); },
+      [&](int wall, int record, int bridge) { add(bridge, height_over(s, wall, record)); });
   for (Vec3& row : stress) row *= 1.0 / s.domain.volume();
   return stress;
 }
 
-double bridge_energy(const GrainSystem& s) { return rupture_work(s.bridges->model, present_bridges(s)); }
+double bridge_energy(const GrainSystem& s) { return rupture_work(s.bridges->model, bridges_now(s)); }
 
 std::vector<GrainBridge> bridges_of(const GrainSystem& s) {
-  const Bridges now = present_bridges(s);
+  const Bridges now = bridges_now(s);
   std::vector<GrainBridge> list(to_size(now.size()));
   const auto fill = [&](int bridge, const Vec3& branch) {
     const std::size_t k = to_size(bridge);
@@ -93,8 +76,8 @@ std::vector<GrainBridge> bridges_of(const GrainSystem& s) {
                now.force[k], now.volume[k],         now.capillary_pressure[k]};
   };
   for_each_bridge(
-      s, [&](int first, int second, int bridge, int) { fill(bridge, branch_of(s, first, second)); },
-      [&](int wall, int record, int bridge, int) { fill(bridge, -height_over(s, wall, record)); });
+      s, [&](int first, int second, int bridge) { fill(bridge, branch_between(s, first, second)); },
+      [&](int wall, int record, int bridge) { fill(bridge, -height_over(s, wall, record)); });
   return list;
 }
 

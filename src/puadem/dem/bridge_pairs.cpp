@@ -57,7 +57,7 @@ void note(GrainSystem& s, const ContactBlocks& blocks, bool at_wall, std::vector
       const int first = blocks.first[to_size(b)][l], second = s.identity[to_size(blocks.second[to_size(b)][l])];
       const std::array<int, 2> pair =
           at_wall ? std::array{second, s.owned + first} : std::array{s.identity[to_size(first)], second};
-      const auto from = ends.begin() + g.list.start[to_size(pair[0])], to = ends.begin() + g.list.start[to_size(pair[0]) + 1];
+      const auto from = ends.begin() + g.list.first[to_size(pair[0])], to = ends.begin() + g.list.first[to_size(pair[0]) + 1];
       if (std::find(from, to, pair) == to) g.touched.push_back(pair);
     }
   }
@@ -80,7 +80,6 @@ std::vector<std::array<int, 2>> touching_ends(const GrainSystem& s) {
 BridgePairs pairs_between(const GrainSystem& s, const std::vector<std::array<int, 2>>& ends) {
   std::vector<int> record_of(to_size(s.owned));
   for (int k = 0; k < s.owned; ++k) record_of[to_size(s.identity[to_size(k)])] = k;
-  const Vec3 size = s.domain.size();
   BridgePairs pairs;
   for (const auto& pair : ends) {
     const int first = record_of[to_size(pair[0])];
@@ -94,11 +93,8 @@ BridgePairs pairs_between(const GrainSystem& s, const std::vector<std::array<int
     }
     const int second = record_of[to_size(pair[1])];
     const GrainRecord& b = s.record[to_size(second)];
-    Vec3 branch = vec3(b.place - a.place);
-    const auto image = nearest_image(s, first, second);
-    for (int axis = 0; axis < 3; ++axis) branch[axis] += image[to_size(axis)] * size[axis];
     pairs.radius.push_back({radius_of(a), radius_of(b)});
-    pairs.gap.push_back(norm(branch) - radius_of(a) - radius_of(b));
+    pairs.gap.push_back(norm(branch_between(s, first, second)) - radius_of(a) - radius_of(b));
   }
   return pairs;
 }

@@ -25,7 +25,8 @@ double kinetic_energy(const GrainSystem& s) {
     const GrainRecord& r = s.record[to_size(k)];
     const int begin = s.row_start[to_size(k)], end = s.row_start[to_size(k) + 1];
     const SlotSum sum = sum_slots(s.slot.data(), s.row.data(), begin, end);
-    Vec3 force = vec3(sum.force) + mass_of(r) * s.motion.gravity, torque = -radius_of(r) * vec3(sum.moment);
+    Vec3 force = vec3(sum.force) + bridge_pull_on(s, k) + mass_of(r) * s.motion.gravity,
+         torque = -radius_of(r) * vec3(sum.moment);
     if (!s.external_force.empty()) force += s.external_force[to_size(s.identity[to_size(k)])];
     if (!s.roll_slot.empty())
       for (int e = begin; e < end; ++e) {
@@ -63,14 +64,15 @@ double image_power(const GrainSystem& s, const Vec3& box_rate) {
     for (int axis = 0; axis < 3; ++axis) power -= force[axis] * box_rate[axis] * (shift(j, axis) - shift(i, axis));
   });
   if (!s.bridges) return power;
+  const PresentBridges now = present_bridges(s);
   for_each_bridge(
       s,
-      [&](int i, int j, int, int slot) {
+      [&](int i, int j, int bridge) {
         const auto image = nearest_image(s, i, j);
-        const Vec3 force = vec3(s.slot[to_size(slot)].force);
+        const Vec3 force = -now.force[to_size(bridge)] * normalized(branch_between(s, i, j));
         for (int axis = 0; axis < 3; ++axis) power -= force[axis] * box_rate[axis] * image[to_size(axis)];
       },
-      [](int, int, int, int) {});
+      [](int, int, int) {});
   return power;
 }
 

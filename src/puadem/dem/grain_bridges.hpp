@@ -19,30 +19,38 @@ struct BridgeRules {
   BridgeFormation formation = BridgeFormation::at_contact;  ///< of the first bridges; later ones form at contact
   RuptureSplit split = RuptureSplit::neck;
   Exchange exchange = Exchange::neighbours;
+  bool by_pores = false;  ///< bridges come and go with the fluids in the pores around them, not with contacts
 };
 
-/// Bridges of four pairs of grains, all that the loop over them needs while the ends touch.
+/// Bridges of one grain to four partners: all that the force loop needs while they touch.
 struct alignas(64) BridgeBlock {
-  std::array<int, 4> first, second;  ///< records of grains, no images; an empty lane names the dummy twice
-  std::array<int, 4> bridge;         ///< number; -1: empty lane
-  Lanes at_contact;                  ///< force there [N]
-  Lanes reach;                       ///< [m]
-  Lanes gap, force;                  ///< at the last evaluation [m], [N]
+  std::array<int, 4> partner;  ///< records, no images; an empty lane names the grain itself
+  std::array<int, 4> bridge;   ///< number; -1: empty lane
+  Lanes at_contact;            ///< force there [N]
 };
 
 /// And what it needs where they stand apart: F = (sum of terms in sqrt(1 - D / D_max)) (1 - D / D_0), theory 8.3, 8.4.
 struct alignas(32) BridgeSeries {
-  Lanes constant;  ///< A of D_0^2 = A + B D^2 [m2]
+  Lanes reach, inverse_reach;  ///< D_max [m], [1/m]
+  Lanes constant;              ///< A of D_0^2 = A + B D^2 [m2]
   std::array<Lanes, bridge_terms> term;
 };
 
-/// The bridges as the force loop goes through them, by place; made with the neighbour list.
+/// What all bridges of a grain pull it with.
+struct alignas(32) BridgePull {
+  Lanes force;  ///< [N]
+};
+
+/// The bridges as the force loop goes through them, grain by grain: each stands with both of its grains, so that neither has
+/// to be told by the other. Made with the neighbour list.
 struct BridgeList {
+  LargeArray<int> start;  ///< blocks of record k: start[k] .. start[k + 1]
   LargeArray<BridgeBlock> block;
   LargeArray<BridgeSeries> series;
+  LargeArray<BridgePull> pull;                      ///< on record k
+  std::vector<std::array<int, 2>> record;           ///< of the ends of every bridge; a wall as -1 - wall
   std::vector<int> at_wall;                         ///< numbers of the bridges to walls
-  std::vector<int> record_at_wall;                  ///< of their grains
-  std::vector<int> start;                           ///< bridges whose first end is grain i: start[i] .. start[i + 1]
+  std::vector<int> first;                           ///< bridges whose first end is grain i: first[i] .. first[i + 1]
   std::vector<std::uint8_t> met_grains, met_walls;  ///< like `live`: touching lanes that have been looked at
 };
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "puadem/base/error.hpp"
+#include "puadem/dem/bridge_forces.hpp"
 #include "puadem/dem/contact_forces.hpp"
 
 namespace puadem {
@@ -68,7 +69,7 @@ void collect(const GrainSystem& s, Particles& particles) {
     particles.angular_velocity[i] = vec3(r.spin);
     if (s.row_start.empty()) continue;
     const SlotSum sum = sum_slots(s.slot.data(), s.row.data(), s.row_start[to_size(k)], s.row_start[to_size(k) + 1]);
-    particles.force[i] = vec3(sum.force);
+    particles.force[i] = vec3(sum.force) + bridge_pull_on(s, k);
     particles.torque[i] = -radius_of(r) * vec3(sum.moment);
     for (int e = s.row_start[to_size(k)]; e < s.row_start[to_size(k) + 1] && !s.roll_slot.empty(); ++e) {
       const int place = s.row[to_size(e)];

@@ -119,7 +119,7 @@ struct GrainSystem {
   ContactBlocks grain_contacts;
   ContactBlocks wall_contacts;
   std::vector<int> wall_start;     ///< blocks of wall w: wall_start[w] .. wall_start[w + 1]
-  LargeArray<ContactSlot> slot;    ///< of grain contacts, of wall contacts, then of bridges in the order of their list
+  LargeArray<ContactSlot> slot;    ///< of grain contacts, then of wall contacts
   LargeArray<RollSlot> roll_slot;  ///< like `slot`; empty unless contacts resist rolling
   LargeArray<int> row_start;       ///< slots of record k: row[row_start[k]] .. row[row_start[k + 1]], by identity of the partner
   LargeArray<int> row;             ///< 2 * slot + (is the grain the second one)

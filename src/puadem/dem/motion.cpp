@@ -24,6 +24,7 @@ struct MotionLoop {
   GrainRecord* record;
   const ContactSlot* slot;
   const RollSlot* roll_slot;  ///< null without rolling resistance
+  const BridgePull* bridges;  ///< pull of liquid bridges by record, or null
   const int* row_start;
   const int* row;
   const int* identity;
@@ -78,7 +79,8 @@ PUADEM_CLONES Motion move_chunk(const MotionLoop& loop, int begin, int end) {
   const Lanes step{dt, dt, dt, 0.0};  // keeps what stands in the fourth place
   Motion motion;
   for (int k = begin; k < end; ++k) {
-    const SlotSum sum = sum_slots(loop.slot, loop.row, loop.row_start[k], loop.row_start[k + 1]);
+    SlotSum sum = sum_slots(loop.slot, loop.row, loop.row_start[k], loop.row_start[k + 1]);
+    if (loop.bridges != nullptr) sum.force += loop.bridges[k].force;
     GrainRecord r = loop.record[k];
     Lanes body = broadcast(r.drift[3]) * loop.gravity;
     if (loop.external != nullptr) {
@@ -161,6 +163,7 @@ void move_grains(GrainSystem& s) {
       .record = s.record.data(),
       .slot = s.slot.data(),
       .roll_slot = s.roll_slot.empty() ? nullptr : s.roll_slot.data(),
+      .bridges = s.bridges ? s.bridges->list.pull.data() : nullptr,
       .row_start = s.row_start.data(),
       .row = s.row.data(),
       .identity = s.identity.data(),

@@ -208,7 +208,7 @@ void list_wall_contacts(GrainSystem& s, const ContactHistory& history) {
       [&](const Candidate& c) { return s.identity[to_size(c.second)]; }, [](const Candidate& c) { return c.first; });
 }
 
-/// For every grain its slots by identity of the partner, the bridge after the contact; walls last.
+/// For every grain its slots by identity of the partner, walls last.
 void make_rows(GrainSystem& s) {
   struct Entry {
     int partner, place;
@@ -233,14 +233,6 @@ void make_rows(GrainSystem& s) {
         const int second = w.second[to_size(b)][to_size(l)];
         if (second != dummy) visit(second, s.owned + w.first[to_size(b)][to_size(l)], 2 * (lane_count * (g.size() + b) + l) + 1);
       }
-    if (!s.bridges) return;
-    for_each_bridge(
-        s,
-        [&](int first, int second, int, int slot) {
-          visit(first, s.identity[to_size(second)], 2 * slot);
-          visit(second, s.identity[to_size(first)], 2 * slot + 1);
-        },
-        [&](int wall, int record, int, int slot) { visit(record, s.owned + wall, 2 * slot + 1); });
   };
   for_each_end([&](int record, int, int) { ++start[to_size(record) + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
@@ -343,17 +335,12 @@ void build_neighbour_list(GrainSystem& s) {
     list_grain_contacts(s, grain_history);
     list_wall_contacts(s, wall_history);
   }
-  if (s.bridges) list_bridges(s);
-  list_slots(s);
-  remember_places(s);
-}
-
-void list_slots(GrainSystem& s) {
   make_rows(s);
-  int slots = lane_count * (s.grain_contacts.size() + s.wall_contacts.size());
-  if (s.bridges) slots += bridge_slots(s.bridges->list);
-  s.slot.resize(to_size(slots));
-  s.roll_slot.resize(resists_rolling(s.contact) ? to_size(slots) : 0);
+  const std::size_t slots = to_size(lane_count * (s.grain_contacts.size() + s.wall_contacts.size()));
+  s.slot.assign(slots, ContactSlot{});
+  s.roll_slot.assign(resists_rolling(s.contact) ? slots : 0, RollSlot{});
+  if (s.bridges) list_bridges(s);
+  remember_places(s);
 }
 
 void renew_neighbour_list(GrainSystem& s) {

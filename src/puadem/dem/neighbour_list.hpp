@@ -13,9 +13,6 @@ void renew_neighbour_list(GrainSystem& system);
 /// Makes the list whatever has moved.
 void build_neighbour_list(GrainSystem& system);
 
-/// Makes rows and slots anew, for contacts and bridges as they are listed. Slots of contacts keep what they hold.
-void list_slots(GrainSystem& system);
-
 /// Repeats place and motion of the owners in their periodic images.
 void update_images(GrainSystem& system);
 

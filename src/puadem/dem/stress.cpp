@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "puadem/dem/bridge_forces.hpp"
 #include "puadem/dem/bridge_measures.hpp"
 #include "puadem/dem/contact_forces.hpp"
 #include "puadem/dem/contacts.hpp"
@@ -54,7 +55,7 @@ GrainMeasures measure(const GrainSystem& s) {
   double net_force = 0.0;
   for (int k = 0; k < s.owned; ++k) {
     const SlotSum sum = sum_slots(s.slot.data(), s.row.data(), s.row_start[to_size(k)], s.row_start[to_size(k) + 1]);
-    Vec3 force = vec3(sum.force) + mass_of(s.record[to_size(k)]) * s.motion.gravity;
+    Vec3 force = vec3(sum.force) + bridge_pull_on(s, k) + mass_of(s.record[to_size(k)]) * s.motion.gravity;
     if (!s.external_force.empty()) force += s.external_force[to_size(s.identity[to_size(k)])];
     net_force += norm(force);
   }
