@@ -1,6 +1,6 @@
 // What liquid bridges cost in the grain engine: the same packing dry and wet, in turns.
-// Usage: bench_bridges PACKING.csv [steps=500] [threads=1] [oedometer speed in heights a second=0] [V/R^3=1e-2]
-// Materials and time step of bench_dem_throughput; a bridge wherever one of that volume can stand.
+// Usage: bench_bridges PACKING.csv [steps=50] [threads=1] [oedometer speed in heights a second=0] [V/R^3=1e-2]
+// Materials and time step of bench_dem_throughput; bridges of that volume at all contacts, then wherever one can stand.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ using namespace puadem;
 
 namespace {
 
-constexpr int rounds = 7;
+constexpr int rounds = 30;
 constexpr long steps_to_rest = 3000;
 
 double seconds_for(GrainSystem& system, long steps) {
@@ -26,9 +26,29 @@ double seconds_for(GrainSystem& system, long steps) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
+/// Best of many short rounds: what other work on the machine disturbs least.
+double best(const std::vector<double>& values) { return std::ranges::min(values); }
+
+void compare(const GrainSystem& packing, long steps, double volume, BridgeFormation formation) {
+  GrainSystem dry = packing, wet = packing;
+  wet_grains(wet, bridge_model(0.0728, 0.0, BridgeControl::volume), {.formation = formation}, {.each = volume});
+  for (GrainSystem* system : {&dry, &wet}) {  // to rest under what the bridges add
+    system->motion.damping = 0.4;
+    advance_grains(*system, steps_to_rest);
+  }
+  const BridgeMeasures start = measure_bridges(wet);
+  std::vector<double> dry_time, wet_time;
+  for (int round = 0; round < rounds; ++round) {
+    dry_time.push_back(seconds_for(dry, steps));
+    wet_time.push_back(seconds_for(wet, steps));
+  }
+  const BridgeMeasures end = measure_bridges(wet);
+  const double particle_steps = 1e-6 * static_cast<double>(dry.owned) * static_cast<double>(steps);
+  fmt::print(
+      "{:<15} {:.2f} bridges a grain, {} formed and {} ruptured: dry {:.2f} Mps/s, wet {:.2f} Mps/s, wet / dry time {:.2f}\n",
+      formation == BridgeFormation::at_contact ? "at contacts" : "at any distance",
+      static_cast<double>(start.bridges) / dry.owned, end.formed - start.formed, end.ruptured - start.ruptured,
+      particle_steps / best(dry_time), particle_steps / best(wet_time), best(wet_time) / best(dry_time));
 }
 
 }  // namespace
@@ -38,7 +58,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: bench_bridges PACKING.csv [steps] [threads] [oedometer speed] [V/R^3]\n");
     return 1;
   }
-  const long steps = argc > 2 ? std::atol(argv[2]) : 500;
+  const long steps = argc > 2 ? std::atol(argv[2]) : 50;
   set_threads(argc > 3 ? std::atoi(argv[3]) : 1);
   const double oedometer = argc > 4 ? std::atof(argv[4]) : 0.0, amount = argc > 5 ? std::atof(argv[5]) : 1e-2;
 
@@ -52,28 +72,8 @@ int main(int argc, char** argv) {
   evaluate_forces(dry);
   double radius = 0.0;
   for (const double r : packing.radius) radius += r / dry.owned;
-  GrainSystem wet = dry;
-  wet_grains(wet, bridge_model(0.0728, 0.0, BridgeControl::volume), {.formation = BridgeFormation::at_any_distance},
-             {.each = amount * radius * radius * radius});
-  for (GrainSystem* system : {&dry, &wet}) {  // to rest under what the bridges add
-    system->motion.damping = 0.4;
-    advance_grains(*system, steps_to_rest);
-  }
-  const BridgeMeasures start = measure_bridges(wet);
-  const int dry_builds = dry.list_builds, wet_builds = wet.list_builds;
-
-  std::vector<double> dry_time, wet_time, ratio;
-  for (int round = 0; round < rounds; ++round) {
-    dry_time.push_back(seconds_for(dry, steps));
-    wet_time.push_back(seconds_for(wet, steps));
-    ratio.push_back(wet_time.back() / dry_time.back());
-  }
-  const BridgeMeasures end = measure_bridges(wet);
-  const double particle_steps = 1e-6 * static_cast<double>(dry.owned) * static_cast<double>(steps);
-  fmt::print("{} grains, {} bridges ({:.2f} a grain), {} formed and {} ruptured on the way, {} and {} list builds, {} threads\n",
-             dry.owned, start.bridges, static_cast<double>(start.bridges) / dry.owned, end.formed - start.formed,
-             end.ruptured - start.ruptured, dry.list_builds - dry_builds, wet.list_builds - wet_builds, threads());
-  fmt::print("dry {:.2f} Mps/s, wet {:.2f} Mps/s, wet / dry time {:.3f} (medians of {} rounds of {} steps)\n",
-             particle_steps / median(dry_time), particle_steps / median(wet_time), median(ratio), rounds, steps);
+  fmt::print("{} grains, {} threads, best of {} rounds of {} steps\n", dry.owned, threads(), rounds, steps);
+  for (const auto formation : {BridgeFormation::at_contact, BridgeFormation::at_any_distance})
+    compare(dry, steps, amount * radius * radius * radius, formation);
   return 0;
 }
