@@ -9,14 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "doctor.hpp"
 #include "puadem/base/error.hpp"
 #include "puadem/base/parallel.hpp"
-#include "puadem/build_info.hpp"
-#include "puadem/flow/cholesky_factor.hpp"
-#include "puadem/flow/multigrid.hpp"
 #include "puadem/io/case_file.hpp"
 #include "puadem/io/case_summary.hpp"
 #include "puadem/io/case_templates.hpp"
+#include "puadem/io/compare.hpp"
 #include "puadem/io/convert.hpp"
 #include "puadem/io/initial_state.hpp"
 #include "puadem/io/inspect.hpp"
@@ -193,50 +192,6 @@ int check(const RunOptions& options) {
   return ok;
 }
 
-std::string version_text() {
-  return fmt::format("puadem {} ({}, {}, {})", build_info::version, build_info::commit, build_info::compiler,
-                     build_info::build_type);
-}
-
-bool can_write_here() {
-  std::string name = "./.puadem-doctor-XXXXXX";
-  const int file = ::mkstemp(name.data());
-  if (file < 0) return false;
-  ::close(file);
-  ::unlink(name.c_str());
-  return true;
-}
-
-/// Looks at what a run needs; says what to do about what is missing.
-int doctor() {
-  int faults = 0;
-  const auto line = [&](bool good, std::string_view what, const std::string& found, std::string_view remedy = "") {
-    fmt::print("{:<6} {:<18} {}{}{}\n", good ? "ok" : "FAULT", what, found, good || remedy.empty() ? "" : "; ",
-               good ? "" : remedy);
-    faults += good ? 0 : 1;
-  };
-  line(true, "version", version_text());
-  line(true, "compiler flags", build_info::flags);
-  line(true, "libraries",
-       fmt::format("CGAL {}, CHOLMOD {}, hypre {}, fmt {}.{}.{}, CLI11 {}", build_info::cgal, cholesky_version(),
-                   multigrid_version(), FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, CLI11_VERSION));
-  line(true, "processor", fmt::format("{}, {} threads", processor_name(), threads()));
-  line(can_write_here(), "working folder", fs::current_path().string(),
-       "it cannot be written; use --output or change to another folder");
-  std::error_code failed;
-  const fs::space_info space = fs::space(fs::current_path(), failed);
-  const double gigabytes = static_cast<double>(space.available) / 1e9;
-  line(!failed && gigabytes > 1.0, "disk space", fmt::format("{:.1f} GB free", gigabytes),
-       "less than 1 GB; a run with fields may fill it");
-  try {
-    const std::string folder = cases_folder().string();
-    line(true, "shipped cases", fmt::format("{} in {}", joined(case_templates()), folder));
-  } catch (const InputError& error) {
-    line(false, "shipped cases", error.what());
-  }
-  return faults == 0 ? ok : wrong_input;
-}
-
 struct ConvertArguments {
   std::string in, out, to, inlet = "left", merge_ratio = "0.9";
   std::vector<std::string> periodic;
@@ -290,6 +245,13 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, const
       return fmt::format("unknown flag {}{}; flags: {}", flag, did_you_mean(flag, flags), joined(flags));
   }
   return fmt::format("{}; see puadem {}--help", error.what(), verb == &app ? "" : verb->get_name() + " ");
+}
+
+int compare_runs(const std::string& first, const std::string& second, const std::string& table) {
+  const Comparison comparison = compare(first, second);
+  fmt::print("{}", comparison_text(comparison));
+  if (!table.empty()) write_file(table, comparison_csv(comparison));
+  return ok;
 }
 
 int dispatch(int argc, char** argv) {
@@ -348,6 +310,11 @@ int dispatch(int argc, char** argv) {
       ->delimiter(',');
   convert_verb->add_option("--merge-ratio", conversion.merge_ratio,
                            "of the pores of a packing, or none; default: 0.9. A run folder brings the options of its case");
+  std::string first_run, second_run, side_by_side;
+  CLI::App* compare_verb = app.add_subcommand("compare", "set the curves and results of two runs beside each other");
+  compare_verb->add_option("first", first_run, "run folder, or a table (.csv)")->required();
+  compare_verb->add_option("second", second_run, "the other; a table is compared by the names of its columns")->required();
+  compare_verb->add_option("--table", side_by_side, "new file with all curves side by side (.csv)");
   CLI::App* version_verb = app.add_subcommand("version", "print the version");
   CLI::App* doctor_verb = app.add_subcommand("doctor", "look whether all that a run needs is there");
 
@@ -374,8 +341,9 @@ int dispatch(int argc, char** argv) {
   if (keys_verb->parsed()) fmt::print("{}", markdown ? keys_markdown() : keys_text(word));
   if (info_verb->parsed()) fmt::print("{}", inspect(path));
   if (convert_verb->parsed()) return convert_file(conversion);
+  if (compare_verb->parsed()) return compare_runs(first_run, second_run, side_by_side);
   if (version_verb->parsed()) fmt::print("{}\n", version_text());
-  if (doctor_verb->parsed()) return doctor();
+  if (doctor_verb->parsed()) return doctor() ? ok : wrong_input;
   return ok;
 }
 
