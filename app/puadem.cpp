@@ -248,6 +248,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, const
 }
 
 int compare_runs(const std::string& first, const std::string& second, const std::string& table) {
+  require(table.empty() || !fs::exists(table), "{} exists already", table);
   const Comparison comparison = compare(first, second);
   fmt::print("{}", comparison_text(comparison));
   if (!table.empty()) write_file(table, comparison_csv(comparison));
