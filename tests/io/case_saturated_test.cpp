@@ -17,6 +17,7 @@ inlet_pressure = ["0 Pa", "2 kPa"]
 inlet_times = ["0 s", "5 ms"]
 loaded = "top"
 stress = "12 kPa"
+seat_loose_grains = "top"
 damping = 0.1
 coupling_interval = "1 us"
 coupling_safety = 0.4
@@ -42,6 +43,7 @@ TEST(SaturatedKeys, FillEveryFieldAndAreWrittenBack) {
     EXPECT_THAT(s.inlet_times, ElementsAre(0.0, 5e-3));
     EXPECT_EQ(s.loaded, 5);
     EXPECT_EQ(s.stress, 12e3);
+    EXPECT_EQ(s.seat_loose_grains, 5);
     EXPECT_EQ(s.damping, 0.1);
     EXPECT_EQ(s.coupling_interval, 1e-6);
     EXPECT_EQ(s.coupling_safety, 0.4);

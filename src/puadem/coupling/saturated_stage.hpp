@@ -22,6 +22,7 @@ struct SaturatedStage {
   std::vector<double> inlet_times;          ///< with straight lines between [s]
   std::optional<int> loaded;                ///< face whose wall moves to hold `stress`
   std::optional<double> stress;             ///< of grains and fluid together [Pa]
+  std::optional<int> seat_loose_grains;     ///< face towards which grains that nothing holds are laid against others first
   double damping = 0.2;                     ///< Cundall damping [-]
   std::optional<double> coupling_interval;  ///< over which the fluid's forces are frozen; none: from the limit of theory 7.3 [s]
   double coupling_safety = 0.5;             ///< share of that limit [-]

@@ -5,6 +5,7 @@
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/checked_network.hpp"
 #include "puadem/coupling/consolidation.hpp"
+#include "puadem/coupling/loose_grains.hpp"
 #include "puadem/coupling/ready_grains.hpp"
 #include "puadem/coupling/saturated_results.hpp"
 #include "puadem/coupling/stages.hpp"
@@ -205,6 +206,13 @@ void begin(const Case& c, int index, State& state, const Observer& observer, Run
   const auto& stage = std::get<SaturatedStage>(c.stages[to_size(index)]);
   require_yield(stage, stage_name(c, index));
   GrainSystem& grains = ready_grains(c, state, observer);
+  grains.motion.strain_with_box = false;
+  if (stage.seat_loose_grains) {
+    const int loose = seat_loose_grains(outward_normal(*stage.seat_loose_grains), grains);
+    if (observer.message)
+      observer.message(fmt::format("stage {}: {} loose grains of {} laid against their neighbours", stage_name(c, index), loose,
+                                   grains.owned));
+  }
   collect(grains, state.particles);
   state.domain = grains.domain;
   const GrainMeasures m = measure(grains);
@@ -219,8 +227,7 @@ void begin(const Case& c, int index, State& state, const Observer& observer, Run
   k.inlet = inlet_of(stage);
   set_faces(k, 0.0);
   grains.motion.damping = stage.damping;
-  grains.motion.strain_with_box = false;
-  if (stage.loaded) hold_stress(*stage.loaded, *stage.stress, std::max(*stage.stress, m.mean_stress), scale, grains);
+  if (stage.loaded) hold_stress(*stage.loaded, *stage.stress, *stage.stress, scale, grains);
   state.saturated = start_saturated(k.options, state.network, state.particles, grains, k.cache);
   at.longest_step = grains.motion.safety * critical_time_step_at(grains, std::max(stage.stress.value_or(0.0), m.mean_stress));
   grains.time_step = 0.0;

@@ -68,6 +68,10 @@ void add_faces(Fields& fields) {
 }
 
 void add_coupling(Fields& fields) {
+  fields.push_back(face_field("seat_loose_grains", "they stay where they are",
+                              "face towards which grains that nothing holds are laid against their neighbours before the stage "
+                              "begins; afloat, they would drift with the fluid and let more of it through (theory 7.4)",
+                              &SaturatedStage::seat_loose_grains));
   fields.push_back(
       bind<SaturatedStage>(number("damping", Interval{0, 1, false, true}, "Cundall damping of the grains", between(0, 0.7)),
                            &SaturatedStage::damping));

@@ -77,6 +77,8 @@ json saturated_rows(const SaturatedStage& s) {
   if (s.loaded) rows.push_back({"Loaded", fmt::format("{}, {}", face_names[to_size(*s.loaded)], in_print(*s.stress, "Pa"))});
   if (s.duration) rows.push_back({"Duration", in_print(*s.duration, "s")});
   if (s.time_factor) rows.push_back({"Time factor", fmt::format("{:.4g}", *s.time_factor)});
+  if (s.seat_loose_grains)
+    rows.push_back({"Loose grains seated towards", std::string(face_names[to_size(*s.seat_loose_grains)])});
   rows.push_back({"Damping", fmt::format("{:.4g}", s.damping)});
   rows.push_back({"Forces of the fluid frozen for", s.coupling_interval ? in_print(*s.coupling_interval, "s")
                                                                         : fmt::format("{:.4g} of the limit", s.coupling_safety)});
