@@ -162,6 +162,30 @@ TEST(Merging, KeepsTrackOfPeriodicImages) {
   EXPECT_EQ(m.cell_shift[0], m.cell_shift[1]);
 }
 
+TEST(Merging, LeavesNoPoreBetweenOppositeWalls) {
+  // All would merge: two cells at one wall, two at the other, one between them.
+  const std::vector<Facet> facets{{0, 1, {}, 0}, {1, 2, {}, 0}, {2, 3, {}, 0}, {3, 4, {}, 0}};
+  const std::vector<double> space(5, 1.0), wide(4, 9.0), area{4.0, 3.0, 2.0, 1.0};
+  const std::vector<int> faces(5, 4);
+  const std::vector<std::uint8_t> walls{1u << 4, 1u << 4 | 1u << 0, 0, 1u << 5, 1u << 5 | 1u << 0};
+  MergeOptions options;
+  EXPECT_EQ(merge_cells(5, facets, space, faces, wide, area, options).units, 1);
+  options.walls = walls;
+  EXPECT_EQ(merge_cells(5, facets, space, faces, wide, area, options).unit, (std::vector<int>{0, 0, 0, 1, 1}));
+}
+
+TEST(Merging, KeepsTheFacesOfALowBoxApart) {
+  NetworkOptions options;
+  options.merge_ratio = 0.2;
+  options.merge_limit = 1000;
+  const Spheres s = random_spheres(60, 2.0, {4, 4, 1.2}, {true, true, false}, 3, 0.35);
+  const PoreNetwork n = build_pore_network(s.centre, s.radius, s.domain, options);
+  EXPECT_LT(n.pores(), n.triangulation.cells() / 4);
+  for (const std::uint8_t walls : n.pore_walls) EXPECT_NE(walls >> 4 & 3u, 3u);
+  const RebuiltNetwork again = rebuild_pore_network(n, {}, {}, s.centre, s.radius, s.domain, options);
+  EXPECT_EQ(again.network.tetrahedron_pore, n.tetrahedron_pore);
+}
+
 TEST(PoreShape, RegularPolyhedra) {
   const std::map<int, double> expected{{4, 0.4163}, {6, 0.5}, {8, 0.5246}, {12, 0.5648}, {20, 0.5827}};
   for (const auto& [faces, coefficient] : expected)

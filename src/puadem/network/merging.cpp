@@ -21,6 +21,9 @@ Shift combine(const Shift& a, const Shift& b, const Shift& minus) {
   return result;
 }
 
+/// Do these faces hold two opposite ones?
+bool span_box(unsigned faces) { return (faces & faces >> 1U & 0b010101U) != 0U; }
+
 /// Units while they grow. A unit chains its cells and lists every facet that touches it from either side.
 struct Units {
   struct List {
@@ -63,7 +66,11 @@ class Merger {
  public:
   Merger(int cells, std::span<const Facet> facets, std::span<const double> cell_void, std::span<const int> cell_faces,
          std::span<const double> wide, std::span<const double> void_area, const MergeOptions& options, const StartingUnits& start)
-      : wide_(wide), void_area_(void_area), options_(options), kind_(start.kind.begin(), start.kind.end()) {
+      : wide_(wide),
+        void_area_(void_area),
+        options_(options),
+        kind_(start.kind.begin(), start.kind.end()),
+        walls_(options.walls.begin(), options.walls.end()) {
     units_.facets = facets;
     units_.unit.resize(to_size(cells));
     std::iota(units_.unit.begin(), units_.unit.end(), 0);
@@ -148,6 +155,11 @@ class Merger {
     return units_.volume[to_size(lower)] < small_volume_;
   }
 
+  /// A pore that reached from wall to wall would join what may be two reservoirs.
+  bool would_span(int u, int v) const {
+    return !walls_.empty() && span_box(static_cast<unsigned>(walls_[to_size(u)] | walls_[to_size(v)]));
+  }
+
   int joined_kind(int keep, int gone) const {
     const int a = kind_[to_size(keep)], b = kind_[to_size(gone)];
     return is_nil(keep) ? b : is_nil(gone) ? a : std::max(a, b);
@@ -171,7 +183,7 @@ class Merger {
     Worst worst;
     for (const int f : units_.facets_of(u)) {
       const int v = units_.across(u, units_.facets[to_size(f)]);
-      if (v == u) continue;
+      if (v == u || would_span(u, v)) continue;
       const double r = ratio(u, v, f);
       const bool must = std::isinf(r);
       if (!must &&
@@ -224,6 +236,7 @@ class Merger {
         units_.cell_shift[to_size(c)][k] = static_cast<std::int8_t>(units_.cell_shift[to_size(c)][k] + move[k]);
     }
     if (!kind_.empty()) kind_[to_size(keep)] = joined_kind(keep, gone);
+    if (!walls_.empty()) walls_[to_size(keep)] |= walls_[to_size(gone)];
     units_.next_cell[to_size(units_.last_cell[to_size(keep)])] = gone;
     units_.last_cell[to_size(keep)] = units_.last_cell[to_size(gone)];
     units_.cells[to_size(keep)] += units_.cells[to_size(gone)];
@@ -272,7 +285,8 @@ class Merger {
   Units units_;
   std::span<const double> wide_, void_area_;
   MergeOptions options_;
-  std::vector<int> kind_;  // of each unit
+  std::vector<int> kind_;            // of each unit
+  std::vector<std::uint8_t> walls_;  // that each unit touches, bit f for face f
   double nil_volume_ = 0.0, small_volume_ = 0.0;
   int forced_ = 0;
   std::vector<Worst> worst_;

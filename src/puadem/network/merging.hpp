@@ -15,6 +15,8 @@ struct MergeOptions {
   int limit = 20;      ///< most cells in one unit
   PoreShape shape = PoreShape::faces;
   std::span<const double> rank;  ///< per facet, in place of R_ij / min(R_i, R_j); empty: that ratio
+  /// Per cell, bit f where it touches wall face f: no unit comes to reach from one wall to the opposite one; empty: no walls.
+  std::span<const std::uint8_t> walls{};
 };
 
 /// Units that merging begins with, in place of single cells (theory 3.11).

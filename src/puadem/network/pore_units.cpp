@@ -31,6 +31,15 @@ std::vector<int> count_faces(const Triangulation& triangulation) {
   return faces;
 }
 
+/// Wall faces that each cell touches.
+std::vector<std::uint8_t> find_walls(const Triangulation& triangulation) {
+  std::vector<std::uint8_t> walls(to_size(triangulation.cells()));
+  for (std::size_t t = 0; t < walls.size(); ++t)
+    for (const Vertex& v : triangulation.vertices[t])
+      if (v.is_wall()) walls[t] = static_cast<std::uint8_t>(walls[t] | 1u << v.face());
+  return walls;
+}
+
 /// Overlap of the inscribed spheres on either side of each facet, as a share of the smaller radius [-].
 std::vector<double> insphere_overlaps(const Triangulation& triangulation, std::span<const Facet> facets,
                                       const PackingSites& sites_of) {
@@ -167,7 +176,8 @@ PoreNetwork network_of(Triangulation mesh, const FormerUnits& former, std::span<
 
   std::vector<double> wide(facets.size()), overlap;
   for (std::size_t f = 0; f < facets.size(); ++f) wide[f] = 2.0 * geometry.entry_radius[f];
-  MergeOptions merging{options.merge_ratio, options.merge_limit, options.pore_shape, {}};
+  const std::vector<std::uint8_t> walls = find_walls(triangulation);
+  MergeOptions merging{options.merge_ratio, options.merge_limit, options.pore_shape, {}, walls};
   if (options.merge_criterion == MergeCriterion::insphere_overlap) {
     overlap = insphere_overlaps(triangulation, facets, sites_of);
     merging.ratio = 0.0;
