@@ -33,14 +33,21 @@ TEST(TwoPhaseInvariance, ThreadsChangeNoBit) {
 }
 
 TEST(TwoPhaseInvariance, TheOrderOfPoresDecidesNothing) {
-  const PoreNetwork network = with_conductance(random_network(300, 22));
-  std::vector<int> pore_to;
-  PoreNetwork other = with_conductance(renumbered(network, 5, pore_to));
-  for (int i = 0; i < network.pores(); ++i) other.pore_centre[to_size(pore_to[to_size(i)])] = network.pore_centre[to_size(i)];
-  const TwoPhaseState a = drain(network, unit_fluids(), 20.0, 100.0).state, b = drain(other, unit_fluids(), 20.0, 100.0).state;
-  for (int i = 0; i < network.pores(); ++i)
-    EXPECT_NEAR(a.wetting_volume[to_size(i)] / network.pore_volume[to_size(i)],
-                b.wetting_volume[to_size(pore_to[to_size(i)])] / network.pore_volume[to_size(i)], 1e-5);
+  // A suction high above the thresholds: many pores are due at the same instant, at the start.
+  for (const std::uint64_t seed : {22, 23, 24, 25})
+    for (const double suction : {20.0, 60.0}) {
+      const PoreNetwork network = with_conductance(random_network(300, seed));
+      std::vector<int> pore_to;
+      PoreNetwork other = with_conductance(renumbered(network, 5, pore_to));
+      for (int i = 0; i < network.pores(); ++i) other.pore_centre[to_size(pore_to[to_size(i)])] = network.pore_centre[to_size(i)];
+      const TwoPhaseState a = drain(network, unit_fluids(), suction, 10.0).state,
+                          b = drain(other, unit_fluids(), suction, 10.0).state;
+      double worst = 0.0;
+      for (int i = 0; i < network.pores(); ++i)
+        worst = std::max(worst, std::abs(a.wetting_volume[to_size(i)] - b.wetting_volume[to_size(pore_to[to_size(i)])]) /
+                                    network.pore_volume[to_size(i)]);
+      EXPECT_LT(worst, 1e-5) << "seed " << seed << ", suction " << suction;
+    }
 }
 
 TEST(TwoPhaseInvariance, UnitsDecideNothing) {

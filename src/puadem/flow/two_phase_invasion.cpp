@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "puadem/flow/capillary_laws/regular_polyhedron.hpp"
 #include "puadem/flow/two_phase_step.hpp"
@@ -45,6 +46,10 @@ double crossing(const PoreNetwork& network, const TwoPhaseModel& model, const Tw
   return at_start >= threshold ? 0.0 : (threshold - at_start) / (at_end - at_start);
 }
 
+double threshold_of(const TwoPhaseModel& model, int throat, int into) {
+  return std::max(model.thresholds.entry_pressure[to_size(throat)], model.thresholds.body_pressure[to_size(into)]);
+}
+
 /// Gas that enters a pore lifts its wetting fluid to the pressure of its body, and with it that of the pores around, which are
 /// then perhaps not due any more. Leaves those out that are not, by the lift of their neighbours alone: they would refill
 /// within the step, and if they are due after all, they are found when it is solved anew.
@@ -60,7 +65,7 @@ void keep_lasting(const TwoPhaseModel& model, std::span<const double> conductanc
       lifted += conductance[to_size(t)] * lift[to_size(neighbour)];
     }
     const double body = model.thresholds.body_pressure[into];
-    const double threshold = std::max(model.thresholds.entry_pressure[to_size(invasion.throat)], body);
+    const double threshold = threshold_of(model, invasion.throat, invasion.into);
     if (lifted > 0.0 && invasion.pressure - lifted / sum <= threshold) return true;
     entered[into] = 1;
     lift[into] = invasion.pressure - body;
@@ -80,14 +85,17 @@ std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPh
     if (holds[to_size(i)] == holds[to_size(j)] || !model.thresholds.may_open[to_size(t)]) continue;
     const int from = holds[to_size(i)] ? i : j, into = holds[to_size(i)] ? j : i;
     if (!model.is_counted(into) || !may_leave(network, model, trial, from)) continue;
-    const double threshold = std::max(model.thresholds.entry_pressure[to_size(t)], model.thresholds.body_pressure[to_size(into)]);
+    const double threshold = threshold_of(model, t, into);
     const double pressure = pressure_across(network, model, t, trial.nonwetting[to_size(from)], trial.wetting[to_size(into)]);
     if (pressure <= threshold || !has_outlet(network, model, trial, t, into)) continue;
     due.push_back({t, from, into, pressure, crossing(network, model, state, t, from, into, threshold, pressure)});
     first = std::min(first, due.back().crossing);
   }
   std::erase_if(due, [&](const PoreInvasion& invasion) { return invasion.crossing > first + together; });
-  std::ranges::stable_sort(due, {}, &PoreInvasion::crossing);
+  // Those due at once by what they are past their thresholds, not by their numbers.
+  std::ranges::stable_sort(due, {}, [&](const PoreInvasion& invasion) {
+    return std::pair(invasion.crossing, threshold_of(model, invasion.throat, invasion.into) - invasion.pressure);
+  });
   keep_lasting(model, conductance, due);
   return due;
 }
