@@ -238,6 +238,10 @@ void describe_stages(const Case& c, const SummaryBasis& basis, CaseSummary& summ
   if (!c.network_file) {
     const Material& material = c.materials[to_size(fastest_material(c))];
     w.scale.diameter = 2.0 * basis.sizes.mean_radius;
+    // Rumpf's estimate with the force of a small bridge in contact, 2 pi gamma r cos(theta).
+    if (c.bridges)
+      w.scale.bridge_stress = (1.0 - basis.porosity) * contacts_per_grain * c.fluids.surface_tension *
+                              std::cos(c.fluids.contact_angle) / (2.0 * basis.sizes.mean_radius);
     w.scale.density = material.density;
     w.scale.youngs_modulus = material.youngs_modulus;
     w.scale.size = basis.box;
