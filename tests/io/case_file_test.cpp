@@ -114,10 +114,10 @@ bool same(const PairOverride& a, const PairOverride& b) {
   return materials == b.materials && friction_angle == b.friction_angle && restitution == b.restitution;
 }
 bool same(const BridgeCase& a, const BridgeCase& b) {
-  const auto& [formation, split, exchange] = static_cast<const BridgeRules&>(a);
-  return formation == b.formation && split == b.split && exchange == b.exchange && a.control == b.control &&
-         a.capillary_pressure == b.capillary_pressure && a.water_content == b.water_content && a.saturation == b.saturation &&
-         a.volume == b.volume && a.law == b.law;
+  const auto& [formation, split, exchange, by_pores] = static_cast<const BridgeRules&>(a);
+  return formation == b.formation && split == b.split && exchange == b.exchange && by_pores == b.by_pores &&
+         a.control == b.control && a.capillary_pressure == b.capillary_pressure && a.water_content == b.water_content &&
+         a.saturation == b.saturation && a.volume == b.volume && a.law == b.law;
 }
 bool same(const GrainOptions::Added& a, const GrainOptions::Added& b) {
   const auto& [diameter, material, count, at] = a;
