@@ -85,7 +85,8 @@ void describe_grains(const Case& c, const SummaryBasis& basis, CaseSummary& summ
   std::ranges::sort(sides);
   // A thin bed is meant to be thin: there the next side counts.
   const double narrowest = sides[0] < 0.5 * sides[1] ? sides[1] : sides[0];
-  if (narrowest < 6.0 * 2.0 * s.largest)
+  constexpr int fewest = 50;  // grains that make a packing
+  if (basis.grains >= fewest && narrowest < 6.0 * 2.0 * s.largest)
     summary.warnings.push_back(fmt::format("the box is {:.2g} largest diameters wide; walls shape the results below about 10",
                                            narrowest / (2.0 * s.largest)));
 }

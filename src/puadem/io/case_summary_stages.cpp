@@ -169,6 +169,7 @@ void describe(const UnsaturatedStage& stage, Walk& w) {
   if (!moves) text += fmt::format(", {} equilibria", stops.size());
   add_stage(w.summary, w.number, fmt::format("{} {}", UnsaturatedStage::kind, text));
   w.equilibria += size_of(stops);
+  if (moves) ++w.histories;
   if (!stage.stress) return;
   for (int face = 0; face < 6; ++face)
     if (stage.loaded[to_size(face)]) w.scale.stress[axis_of(face)] = *stage.stress;
