@@ -33,11 +33,7 @@ struct DryBed {
   double water_start = 0.0, bridge_water = 0.0;
 
   explicit DryBed(double capillary_pressure) {
-    Spheres s = random_spheres(160, 1.5, {1, 1, 1.2}, {true, true, false}, 9, 0.33);
-    const double scale = radius / s.radius.front();
-    for (Vec3& x : s.centre) x = scale * x;
-    for (double& r : s.radius) r *= scale;
-    s.domain.upper = scale * s.domain.upper;
+    const Spheres s = scaled_to(radius, random_spheres(160, 1.5, {1, 1, 1.2}, {true, true, false}, 9, 0.33));
     particles = make_particles(s.centre, s.radius, materials.front());
     grains = make_grain_system(particles, s.domain, materials, {}, {});
     grains.time_step = 1e-7;

@@ -35,10 +35,7 @@ struct Bed {
   SaturatedState state;
 
   Bed(Spheres s, double viscosity, bool is_drained = false, const Vec3& gravity = {}) {
-    const double scale = radius / s.radius.front();
-    for (Vec3& x : s.centre) x = scale * x;
-    for (double& r : s.radius) r *= scale;
-    s.domain.upper = scale * s.domain.upper;
+    s = scaled_to(radius, std::move(s));
     particles = make_particles(s.centre, s.radius, materials.front());
     ContactOptions contact;
     contact.law = ContactOptions::Law::linear_spring;

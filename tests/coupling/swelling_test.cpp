@@ -41,11 +41,7 @@ struct Cloud {
   UnsaturatedState state;
 
   Cloud() {
-    Spheres s = random_spheres(160, 1.5, {1, 1, 1.2}, {true, true, false}, 9, 0.33);
-    const double scale = radius / s.radius.front();
-    for (Vec3& x : s.centre) x = scale * x;
-    for (double& r : s.radius) r *= scale;
-    s.domain.upper = scale * s.domain.upper;
+    const Spheres s = scaled_to(radius, random_spheres(160, 1.5, {1, 1, 1.2}, {true, true, false}, 9, 0.33));
     std::vector<int> material(s.radius.size());
     for (std::size_t k = 0; k < material.size(); k += 8) material[k] = 1;
     particles = make_particles(s.centre, s.radius, materials, material);

@@ -33,11 +33,7 @@ struct Bed {
   UnsaturatedState state;
 
   explicit Bed(int count = 160) {
-    Spheres s = random_spheres(count, 1.5, {1, 1, 1.2}, {true, true, false}, 9, 0.33);
-    const double scale = radius / s.radius.front();
-    for (Vec3& x : s.centre) x = scale * x;
-    for (double& r : s.radius) r *= scale;
-    s.domain.upper = scale * s.domain.upper;
+    const Spheres s = scaled_to(radius, random_spheres(count, 1.5, {1, 1, 1.2}, {true, true, false}, 9, 0.33));
     particles = make_particles(s.centre, s.radius, materials.front());
     ContactOptions contact;
     contact.law = ContactOptions::Law::linear_spring;

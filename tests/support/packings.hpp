@@ -25,6 +25,15 @@ struct Spheres {
   }
 };
 
+/// The same at another size. @param first  radius of the first sphere
+inline Spheres scaled_to(double first, Spheres s) {
+  const double scale = first / s.radius.front();
+  for (Vec3& x : s.centre) x = scale * x;
+  for (double& r : s.radius) r *= scale;
+  s.domain.upper = scale * s.domain.upper;
+  return s;
+}
+
 /// Lattice of touching spheres of one radius: `basis` in units of the cubic cell edge, cells^3 cells.
 inline Spheres lattice(double radius, double edge, const std::vector<Vec3>& basis, int cells, std::array<bool, 3> periodic) {
   Spheres s;

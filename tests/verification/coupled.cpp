@@ -81,10 +81,7 @@ Case column(int count, double stress, double youngs_modulus) {
 
 CoupledBed::CoupledBed(testing::Spheres s, double viscosity, bool is_drained)
     : materials{Material{.name = "glass", .density = 2500.0, .youngs_modulus = 1e7, .friction_angle = 0.0}} {
-  const double scale = radius / s.radius.front();
-  for (Vec3& x : s.centre) x = scale * x;
-  for (double& r : s.radius) r *= scale;
-  s.domain.upper = scale * s.domain.upper;
+  s = scaled_to(radius, std::move(s));
   particles = make_particles(s.centre, s.radius, materials.front());
   ContactOptions contact;
   contact.law = ContactOptions::Law::linear_spring;

@@ -19,7 +19,7 @@ using Law = BridgeModel::Law;
 bool is_at_suction(const BridgeModel& model) { return model.table.control == BridgeControl::suction; }
 
 double cube_of_reduced(const std::array<double, 2>& radius) {
-  const double length = 2.0 / (1.0 / radius[0] + 1.0 / radius[1]);
+  const double length = reduced_radius(radius);
   return length * length * length;
 }
 

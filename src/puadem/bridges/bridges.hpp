@@ -21,6 +21,9 @@ struct BridgeModel {
 BridgeModel bridge_model(double surface_tension, double contact_angle, BridgeControl control,
                          BridgeModel::Law law = BridgeModel::Law::table);
 
+/// R* = 2 R_1 R_2 / (R_1 + R_2) [m]; of an infinite radius, a plane, twice the other.
+inline double reduced_radius(const std::array<double, 2>& radius) { return 2.0 / (1.0 / radius[0] + 1.0 / radius[1]); }
+
 /// Pairs of neighbours that may carry a bridge. What the ends are the caller knows: names here.
 struct BridgePairs {
   std::vector<std::array<int, 2>> ends;       ///< strictly ascending

@@ -165,8 +165,8 @@ double follow_pores(const PendularOptions& options, double capillary_pressure, c
   for (std::size_t n = 0; n < amount.size(); ++n) {
     const bool may_stand = everywhere || pairs.gap[n] <= 0.0 || std::ranges::binary_search(old.pairs.ends, pairs.ends[n]);
     // Below the table's suctions a bridge would be as large as the pores around it.
-    const double reduced = 2.0 / (1.0 / pairs.radius[n][0] + 1.0 / pairs.radius[n][1]);
-    const bool is_small = capillary_pressure * reduced >= options.model.table.least * options.model.surface_tension;
+    const bool is_small =
+        capillary_pressure * reduced_radius(pairs.radius[n]) >= options.model.table.least * options.model.surface_tension;
     amount[n] = may_stand && is_small ? capillary_pressure : 0.0;
   }
   place_bridges(grains, options.model, {.by_pores = true}, capillary_pressure, pairs, amount);

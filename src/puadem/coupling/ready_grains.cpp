@@ -26,7 +26,7 @@ LoadingScale loading_scale(const Case& c, const GrainSystem& s, const Particles&
   return scale;
 }
 
-void hold_stress(int face, double stress, double speed_stress, const LoadingScale& scale, GrainSystem& grains) {
+void hold_stress(int face, double stress, const LoadingScale& scale, GrainSystem& grains) {
   constexpr double speed_share = 0.3;  // of the speed of a grain that the stress would set moving
   const int axis = axis_of(face);
   for (Wall& wall : grains.walls) {
@@ -34,7 +34,7 @@ void hold_stress(int face, double stress, double speed_stress, const LoadingScal
     wall.target = stress;
     wall.area = scale.size[(axis + 1) % 3] * scale.size[(axis + 2) % 3];
     wall.servo_stress = ServoStress::total;
-    wall.speed_limit = speed_share * std::sqrt(speed_stress / scale.density);
+    wall.speed_limit = speed_share * std::sqrt(stress / scale.density);
   }
 }
 

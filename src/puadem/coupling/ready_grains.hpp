@@ -15,6 +15,6 @@ LoadingScale loading_scale(const Case& c, const GrainSystem& s, const Particles&
 
 /// The wall of a face moves so that grains and fluids together bear `stress` on it [Pa], no faster than grains that
 /// `speed_stress` sets moving [Pa].
-void hold_stress(int face, double stress, double speed_stress, const LoadingScale& scale, GrainSystem& grains);
+void hold_stress(int face, double stress, const LoadingScale& scale, GrainSystem& grains);
 
 }  // namespace puadem

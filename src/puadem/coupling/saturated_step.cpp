@@ -227,4 +227,12 @@ double coupling_limit(const SaturatedOptions& options, const PoreNetwork& networ
   return rate > 0.0 ? 2.0 / rate : std::numeric_limits<double>::infinity();
 }
 
+void require_below_limit(std::string_view stage, double interval, double limit) {
+  require(
+      interval < limit,
+      "stage {}: coupling_interval = {:.4g} s: forces of the fluid that stay frozen that long make the grains swing ever more; "
+      "the limit is {:.4g} s (theory 7.3)",
+      stage, interval, limit);
+}
+
 }  // namespace puadem

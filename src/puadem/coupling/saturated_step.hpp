@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "puadem/base/compensated_sum.hpp"
@@ -69,5 +70,8 @@ void saturated_step(const SaturatedOptions& options, long substeps, GrainSystem&
 /// theory 7.3 [s]. Grains and fluid as they stand.
 double coupling_limit(const SaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
                       const Domain& domain, SaturatedCache& cache);
+
+/// @throws InputError  where forces would stay frozen for an interval that reaches the limit
+void require_below_limit(std::string_view stage, double interval, double limit);
 
 }  // namespace puadem

@@ -175,11 +175,7 @@ void set_times(Coupled& k) {
   k.record.coupling_limit = coupling_limit(k.options, k.state.network, k.state.particles, k.grains.domain, k.cache);
   k.at.interval = k.stage.coupling_interval.value_or(
       std::min(k.stage.coupling_safety * k.record.coupling_limit, k.at.duration / k.c.output.history_rows));
-  require(
-      k.at.interval < k.record.coupling_limit,
-      "stage {}: coupling_interval = {:.4g} s: forces of the fluid that stay frozen that long make the grains swing ever more; "
-      "the limit is {:.4g} s (theory 7.3)",
-      k.record.stage, k.at.interval, k.record.coupling_limit);
+  require_below_limit(k.record.stage, k.at.interval, k.record.coupling_limit);
   k.at.longest_step = std::min(k.at.longest_step, k.at.interval);
   k.record.coupling_interval = k.at.interval;
 }
@@ -227,7 +223,7 @@ void begin(const Case& c, int index, State& state, const Observer& observer, Run
   k.inlet = inlet_of(stage);
   set_faces(k, 0.0);
   grains.motion.damping = stage.damping;
-  if (stage.loaded) hold_stress(*stage.loaded, *stage.stress, *stage.stress, scale, grains);
+  if (stage.loaded) hold_stress(*stage.loaded, *stage.stress, scale, grains);
   state.saturated = start_saturated(k.options, state.network, state.particles, grains, k.cache);
   at.longest_step = grains.motion.safety * critical_time_step_at(grains, std::max(stage.stress.value_or(0.0), m.mean_stress));
   grains.time_step = 0.0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "puadem/base/error.hpp"
 #include "puadem/coupling/checked_network.hpp"
@@ -13,6 +12,7 @@
 #include "puadem/coupling/unsaturated_motion.hpp"
 #include "puadem/coupling/unsaturated_results.hpp"
 #include "puadem/coupling/wall_servo.hpp"
+#include "puadem/dem/grain_statistics.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/flow/retention_path.hpp"
 
@@ -79,7 +79,7 @@ UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer
   grains.motion.strain_with_box = false;
   grains.motion.damping = stage.damping;
   for (int face = 0; face < 6; ++face)
-    if (stage.loaded[to_size(face)]) hold_stress(face, *stage.stress, *stage.stress, scale, grains);
+    if (stage.loaded[to_size(face)]) hold_stress(face, *stage.stress, scale, grains);
   UnsaturatedCache cache;
   state.unsaturated = start_unsaturated(options_of(c, stage, at.mean_radius), state.network, state.particles, grains, cache);
   state.unsaturated->swelling = start_swelling(state.particles, c.materials);
@@ -87,9 +87,8 @@ UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer
 }
 
 double porosity(const Unsaturated& u) {
-  double solid = 0.0;
-  for (const double r : u.state.particles.radius) solid += 4.0 / 3.0 * std::numbers::pi * r * r * r;
-  return 1.0 - solid / u.state.grains->domain.volume();
+  const std::vector<double>& radius = u.state.particles.radius;
+  return 1.0 - size_of(radius) * statistics_of(radius).mean_volume / u.state.grains->domain.volume();
 }
 
 void write_row(Unsaturated& u, const std::string& branch) {
@@ -236,10 +235,7 @@ void begin_motion(Unsaturated& u) {
   rest_fluids(u.options, u.state.network, u.state.particles, u.grains(), s, u.cache);
   const double limit = frozen_limit(u.options, u.state.network, u.state.particles, u.grains().domain);
   u.at.interval = u.stage.coupling_interval.value_or(frozen_share * limit);
-  require(u.at.interval < limit,
-          "stage {}: coupling_interval = {:.4g} s: forces of the fluids that stay frozen that long make the grains swing ever "
-          "more; the limit is {:.4g} s (theory 7.3)",
-          u.record().stage, u.at.interval, limit);
+  require_below_limit(u.record().stage, u.at.interval, limit);
   if (u.observer.message)
     u.observer.message(fmt::format("stage {}: forces of the fluids stay the same for {:.3g} s at most (limit {:.3g} s)",
                                    u.record().stage, u.at.interval, limit));

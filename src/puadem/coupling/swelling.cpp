@@ -16,6 +16,13 @@ namespace {
 /// 4/3 pi (b^3 - a^3), without the loss of digits where both are near each other.
 double shell(double a, double b) { return 4.0 / 3.0 * std::numbers::pi * (b - a) * (a * a + a * b + b * b); }
 
+/// Number of each grain among those that swell, or -1.
+std::vector<int> numbers_of(const SwellingState& state, std::size_t grains) {
+  std::vector<int> number(grains, -1);
+  for (int k = 0; k < state.size(); ++k) number[to_size(state.grain[to_size(k)])] = k;
+  return number;
+}
+
 double wetted_share(const TwoPhaseModel& model, const TwoPhaseState& flow, int pore) {
   const auto i = to_size(pore);
   if (!flow.nonwetting.holds[i]) return 1.0;
@@ -26,11 +33,10 @@ double wetted_share(const TwoPhaseModel& model, const TwoPhaseState& flow, int p
 
 /// Mean stress within each swelling grain, from its contacts [Pa]: (1/3V) sum R F_n. Contacts pull at no lever.
 std::vector<double> grain_pressures(const GrainSystem& grains, const Particles& particles, const SwellingState& state) {
-  std::vector<int> place_of(to_size(particles.size()), -1);
-  for (int k = 0; k < state.size(); ++k) place_of[to_size(state.grain[to_size(k)])] = k;
+  const std::vector<int> number = numbers_of(state, particles.radius.size());
   std::vector<double> push(to_size(state.size()));
   const auto add = [&](int record, int slot) {
-    const int k = place_of[to_size(grains.identity[to_size(record)])];
+    const int k = number[to_size(grains.identity[to_size(record)])];
     if (k >= 0) push[to_size(k)] += grains.slot[to_size(slot)].force[3];
   };
   for_each_grain_contact(grains, [&](int first, int second, const Vec3&, int slot) {
@@ -62,21 +68,20 @@ SwellingState start_swelling(const Particles& particles, std::span<const Materia
 SwellingShares set_wetting(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& flow,
                            std::span<const Vec3> centre, std::span<const double> radius, const Domain& domain,
                            SwellingState& state) {
-  std::vector<int> place_of(radius.size(), -1);
-  for (int k = 0; k < state.size(); ++k) place_of[to_size(state.grain[to_size(k)])] = k;
+  const std::vector<int> number = numbers_of(state, radius.size());
   SwellingShares shares;
   shares.of_grain.resize(state.grain.size());
   std::vector<double> whole(state.grain.size(), 0.0), wet(state.grain.size(), 0.0);
   const PackingSites sites_of(centre, radius, domain);
   for (int c = 0; c < network.triangulation.cells(); ++c) {
     const auto& vertices = network.triangulation.vertices[to_size(c)];
-    const auto swells = [&](const Vertex& v) { return !v.is_wall() && place_of[to_size(v.index)] >= 0; };
+    const auto swells = [&](const Vertex& v) { return !v.is_wall() && number[to_size(v.index)] >= 0; };
     if (std::ranges::none_of(vertices, swells)) continue;
     const auto angles = grain_solid_angles(sites_of(vertices));
     const int pore = network.tetrahedron_pore[to_size(c)];
     for (std::size_t v = 0; v < 4; ++v) {
       if (!swells(vertices[v])) continue;
-      const auto k = to_size(place_of[to_size(vertices[v].index)]);
+      const auto k = to_size(number[to_size(vertices[v].index)]);
       const double wetted = angles[v] * wetted_share(model, flow, pore);
       whole[k] += angles[v];
       wet[k] += wetted;

@@ -136,8 +136,7 @@ std::vector<double> shared_volume(const BridgeModel& model, const BridgePairs& p
   const auto share = [&](double height) {
     double sum = 0.0;
     for (std::size_t n = 0; n < count; ++n) {
-      const auto& r = pairs.radius[n];
-      const double reduced = 2.0 / (1.0 / r[0] + 1.0 / r[1]), gap = std::max(pairs.gap[n], 0.0);
+      const double reduced = reduced_radius(pairs.radius[n]), gap = std::max(pairs.gap[n], 0.0);
       const double v = gap < height ? 0.5 * std::numbers::pi * reduced * (height * height - gap * gap) : 0.0;
       volume[n] = gap <= lian_reach(model.table.contact_angle, v) ? v : 0.0;
       sum += volume[n];

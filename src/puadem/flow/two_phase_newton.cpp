@@ -55,8 +55,7 @@ void find_residual(Newton& n) {
     const double stored = n.model.is_counted(i) ? storage(n, i) : 0.0;
     const double grown = n.model.is_counted(i) ? (n.volume[p] - n.old_volume[p]) / n.step : 0.0;
     if (solver.wetting[p] >= 0 && n.trial.filling[p] != Filling::empty)
-      n.solver.residual[to_size(solver.wetting[p])] +=
-          n.trial.wetting_outflow[p] + stored + (n.model.is_counted(i) ? n.taken(i) : 0.0);
+      n.solver.residual[to_size(solver.wetting[p])] += n.trial.wetting_outflow[p] + stored + n.taken(i);
     if (solver.nonwetting[p] >= 0 && n.trial.filling[p] != Filling::saturated)
       n.solver.residual[to_size(solver.nonwetting[p])] +=
           n.trial.nonwetting_outflow[p] + grown - stored - gas_expansion(n, i) / n.step;

@@ -37,7 +37,7 @@ struct Newton {
     return hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[to_size(i)]) -
            hydrostatic(model, FluidPhase::wetting, network.pore_centre[to_size(i)]);
   }
-  double taken(int i) const { return uptake.empty() ? 0.0 : uptake[to_size(i)]; }
+  double taken(int i) const { return uptake.empty() || !model.is_counted(i) ? 0.0 : uptake[to_size(i)]; }
   double difference(int i) const { return trial.nonwetting[to_size(i)] - trial.wetting[to_size(i)] + height(i); }
   double threshold(int i) const { return model.thresholds.unit[to_size(i)].threshold; }
   double law(int i, double saturation) const { return local_pressure(model, trial.nonwetting_clusters, i, saturation); }
