@@ -45,7 +45,7 @@ PoreNetwork lattice_network(int edge, double coordination) {
 void retention_loop(benchmark::State& bench) {
   const PoreNetwork network = lattice_network(static_cast<int>(bench.range(0)), static_cast<double>(bench.range(1)));
   const Fluids fluids;
-  const RetentionPath path{{0.0, 3000.0, 0.0, 3000.0}, 150.0, 2e-4};
+  const RetentionPath path{{0.0, 3000.0, 0.0, 3000.0}, {150.0}, 2e-4};
   for (auto _ : bench) {
     InvasionState state = start_invasion(network, fluids, {});
     long events = 0;

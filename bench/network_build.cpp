@@ -56,7 +56,7 @@ void retention_loop(benchmark::State& state) {
   const Fluids fluids;
   RetentionPath path;
   path.turning_points = {50.0, 1000.0, 0.0, 1000.0};
-  path.step = 50.0;
+  path.step = {50.0};
   path.mean_grain_radius = 1e-3;
   std::size_t rows = 0;
   for (auto _ : state) {

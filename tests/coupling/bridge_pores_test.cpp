@@ -103,6 +103,28 @@ TEST(BridgePores, StandBetweenDryPoresAlone) {
   }
 }
 
+TEST(BridgePores, OnlyWetPoresPushOtherwiseThanTheGas) {
+  DryBed bed(4e3);
+  int wet = 0, of_water = 0;
+  for (const double pc : {4e3, 400.0}) {
+    bed.rest_at(pc);
+    const std::vector<char> dry = dry_pores(bed.network, *bed.cache.model, bed.state.flow, bed.pendular.coalescence);
+    const std::vector<double> pressure =
+        pendular_pressures(bed.network, *bed.cache.model, bed.state.flow, bed.pendular.coalescence);
+    const std::vector<double> corners = effective_pressures(bed.network, *bed.cache.model, bed.state.flow);
+    for (int p = 0; p < bed.network.pores(); ++p) {
+      EXPECT_EQ(pressure[to_size(p)], dry[to_size(p)] ? 0.0 : corners[to_size(p)]);
+      wet += dry[to_size(p)] ? 0 : 1;
+      // At 4 kPa gas would have entered the pores of the water's reservoir too.
+      if (bed.cache.model->is_counted(p) || bed.state.flow.nonwetting.holds[to_size(p)]) continue;
+      ++of_water;
+      EXPECT_TRUE(pc < 4e3 || dry[to_size(p)]);
+    }
+  }
+  EXPECT_GT(wet, 10);
+  EXPECT_GT(of_water, 10);
+}
+
 TEST(BridgePores, WaterIsKeptThroughWettingAndDrying) {
   DryBed bed(4e3);
   const int dry = bed.bridges();

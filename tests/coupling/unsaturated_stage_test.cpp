@@ -35,7 +35,7 @@ Case bed(double friction_angle) {
 UnsaturatedStage drying() {
   UnsaturatedStage stage;
   stage.path = {0.0, 2200.0, 0.0};
-  stage.step = 550.0;
+  stage.step = {550.0};
   stage.loaded[5] = true;
   stage.stress = 10e3;
   return stage;
@@ -92,7 +92,7 @@ TEST(UnsaturatedStage, FullOfWaterBishopsCoefficientIsOne) {
   Case c = bed(0.0);
   UnsaturatedStage stage = drying();
   stage.path = {0.0, 200.0};
-  stage.step = 100.0;
+  stage.step = {100.0};
   c.stages.emplace_back(stage);
   State state;
   run(c, state, {});
@@ -108,7 +108,7 @@ TEST(UnsaturatedStage, GrainsThatDoNotYieldGiveTheCurveOfGrainsThatStand) {
   UnsaturatedStage stage = drying();
   stage.loaded = {};
   stage.stress.reset();
-  stage.step = 275.0;
+  stage.step = {275.0};
   State still;
   run(c, still, {});
   const PoreNetwork network = checked_network(c, still, {});
@@ -155,7 +155,7 @@ TEST(UnsaturatedStage, ABoxIsStrainedUnderItsSuction) {
     Case test = c;
     UnsaturatedStage stage = drying();
     stage.path = {0.0, std::max(suction, 1.0)};
-    stage.step = 500.0;
+    stage.step = {500.0};
     stage.loaded = {true, true, true, true, true, true};
     stage.stress = 10e3;
     stage.strain = 0.02;

@@ -24,23 +24,32 @@ std::vector<std::string> branches(const std::vector<RetentionStop>& stops) {
 }
 
 TEST(RetentionStops, GoFromTurningPointToTurningPoint) {
-  const auto stops = retention_stops({{400, 750, 500}, 100, 0});
+  const auto stops = retention_stops({{400, 750, 500}, {100}, 0});
   EXPECT_THAT(pressures(stops), ElementsAre(400, 500, 600, 700, 750, 650, 550, 500));
   EXPECT_THAT(branches(stops), ElementsAre("drainage-1", "drainage-1", "drainage-1", "drainage-1", "drainage-1", "imbibition-1",
                                            "imbibition-1", "imbibition-1"));
 }
 
 TEST(RetentionStops, CountBranches) {
-  EXPECT_THAT(branches(retention_stops({{300, 200, 300, 400, 0}, 1000, 0})),
+  EXPECT_THAT(branches(retention_stops({{300, 200, 300, 400, 0}, {1000}, 0})),
               ElementsAre("drainage-1", "imbibition-1", "drainage-2", "drainage-2", "imbibition-2"));
-  EXPECT_THAT(branches(retention_stops({{300, 400}, 1000, 0}, 500)), ElementsAre("imbibition-1", "drainage-1"));
+  EXPECT_THAT(branches(retention_stops({{300, 400}, {1000}, 0}, 500)), ElementsAre("imbibition-1", "drainage-1"));
 }
 
-TEST(RetentionStops, MayBeOne) { EXPECT_THAT(pressures(retention_stops({{0}, 50, 0})), ElementsAre(0)); }
+TEST(RetentionStops, MayHaveAStepForEachLeg) {
+  EXPECT_THAT(pressures(retention_stops({{0, 200, 50}, {100, 75}, 0})), ElementsAre(0, 100, 200, 125, 50));
+}
+
+TEST(RetentionStops, BeginWithAnImbibitionWhereAllIsDry) {
+  const auto stops = retention_stops({{300, 100, 200}, {100}, 0}, std::numeric_limits<double>::infinity());
+  EXPECT_THAT(branches(stops), ElementsAre("imbibition-1", "imbibition-1", "imbibition-1", "drainage-1"));
+}
+
+TEST(RetentionStops, MayBeOne) { EXPECT_THAT(pressures(retention_stops({{0}, {50}, 0})), ElementsAre(0)); }
 
 TEST(RetentionStops, EndOnTheTurningPointDespiteRounding) {
-  EXPECT_THAT(pressures(retention_stops({{0.2, 1.1}, 0.3, 0})), ElementsAre(0.2, 0.5, 0.8, 1.1));
-  EXPECT_EQ(retention_stops({{0.2, 1.1}, 0.1, 0}).size(), 10u);  // nine tenths fall short of the leg by a rounding
+  EXPECT_THAT(pressures(retention_stops({{0.2, 1.1}, {0.3}, 0})), ElementsAre(0.2, 0.5, 0.8, 1.1));
+  EXPECT_EQ(retention_stops({{0.2, 1.1}, {0.1}, 0}).size(), 10u);  // nine tenths fall short of the leg by a rounding
 }
 
 TEST(RetentionStops, RefuseBadPaths) {
@@ -52,17 +61,18 @@ TEST(RetentionStops, RefuseBadPaths) {
     }
     return "nothing thrown";
   };
-  EXPECT_THAT(message({{}, 100, 0}), HasSubstr("the retention path is empty"));
-  EXPECT_THAT(message({{0, 100}, 0, 0}), HasSubstr("step of the retention path is 0 Pa; it must be positive"));
-  EXPECT_THAT(message({{0, -100}, 10, 0}), HasSubstr("value 2 of the retention path is -100 Pa"));
-  EXPECT_THAT(message({{0, 100, 100}, 10, 0}), HasSubstr("values 2 and 3 of the retention path are both 100 Pa"));
-  EXPECT_THAT(message({{0, 100}, 1e-6, 0}), HasSubstr("more than a million steps"));
+  EXPECT_THAT(message({{}, {100}, 0}), HasSubstr("the retention path is empty"));
+  EXPECT_THAT(message({{0, 100}, {0}, 0}), HasSubstr("step of the retention path is 0 Pa; it must be positive"));
+  EXPECT_THAT(message({{0, -100}, {10}, 0}), HasSubstr("value 2 of the retention path is -100 Pa"));
+  EXPECT_THAT(message({{0, 100, 100}, {10}, 0}), HasSubstr("values 2 and 3 of the retention path are both 100 Pa"));
+  EXPECT_THAT(message({{0, 100, 0}, {10, 20, 30}, 0}), HasSubstr("has 3 steps for 2 legs"));
+  EXPECT_THAT(message({{0, 100}, {1e-6}, 0}), HasSubstr("more than a million steps"));
 }
 
 TEST(FollowPath, GivesARowPerStop) {
   const PoreNetwork network = random_network(200, 1);
   const double high = high_pressure(network, unit_fluids());
-  const RetentionPath path{{0.0, high, 0.0, high}, high / 10.0, 0.02};
+  const RetentionPath path{{0.0, high, 0.0, high}, {high / 10.0}, 0.02};
   InvasionState state = start_invasion(network, unit_fluids(), {});
   int calls = 0;
   const auto rows = follow_path(network, unit_fluids(), path, state, [&](const RetentionRow& row) {
@@ -85,7 +95,7 @@ TEST(FollowPath, StopsWhereItIsTold) {
   const PoreNetwork network = random_network(50, 1);
   InvasionState state = start_invasion(network, unit_fluids(), {});
   const auto rows =
-      follow_path(network, unit_fluids(), {{0, 100}, 10, 1}, state, [](const RetentionRow& row) { return row.step < 2; });
+      follow_path(network, unit_fluids(), {{0, 100}, {10}, 1}, state, [](const RetentionRow& row) { return row.step < 2; });
   EXPECT_EQ(rows.size(), 3u);
 }
 

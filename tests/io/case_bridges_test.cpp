@@ -48,6 +48,10 @@ TEST(BridgeKeys, SayWhatCannotBeTogether) {
   testing::expect_case_error(testing::bed_case("saturated-flow", testing::between_plates) +
                                  "loaded = \"top\"\nstress = \"12 kPa\"\nduration = \"1 ms\"\n[bridges]\nwater_content = 0.01\n",
                              "cannot be together with a stage \"saturated-flow\"");
+  const std::string coupled = testing::bed_case("unsaturated-flow", testing::between_plates) + "path = [\"0 Pa\", \"1 kPa\"]\n";
+  testing::expect_case_error(coupled + "[bridges]\nwater_content = 0.01\n", "the suction of the fluids around them");
+  expect_error("water_content = 0.01\ncoalescence_saturation = 0.2\n",
+               "bridges.coalescence_saturation is used in a stage \"unsaturated-flow\" only");
   testing::expect_case_error(testing::bed_case("permeability", "") + "[bridges]\nwater_content = 0.01\n",
                              "acts in stages that load the grains");
 }

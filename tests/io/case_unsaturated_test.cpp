@@ -40,7 +40,8 @@ TEST(UnsaturatedKeys, FillEveryFieldAndAreWrittenBack) {
   const Case c = parse_case(everything, "case.toml", "/study").c;
   for (const UnsaturatedStage& s : {std::get<UnsaturatedStage>(c.stages[1]), stage_of(resolved_case(c))}) {
     EXPECT_THAT(s.path, ElementsAre(0.0, 2000.0, 0.0));
-    EXPECT_EQ(s.step, 50.0);
+    EXPECT_THAT(s.step, ElementsAre(50.0));
+    EXPECT_EQ(s.start, UnsaturatedStage::Start::saturated);
     EXPECT_EQ(s.air, 4);
     EXPECT_EQ(s.water, (std::array<bool, 6>{false, false, false, false, false, true}));
     EXPECT_EQ(s.initial_air_fraction, 1e-5);
@@ -78,6 +79,34 @@ coupling_interval = "20 us"
   expect_error(path + "times = [\"0 s\", \"1 s\"]\nstep = \"1 Pa\"\n", "not used with times");
   expect_error(path + "times = [\"0 s\", \"1 s\"]\nloaded = [\"top\"]\nstress = \"1 kPa\"\nstrain = 0.1\n", "exclude each other");
   expect_error(path + "coupling_interval = \"1 s\"\n", "used with times only");
+}
+
+TEST(UnsaturatedKeys, BeginDryWithAStepForEachLeg) {
+  const Case c = parse_case(bed + R"(start = "dry"
+path = ["50 kPa", "2 kPa", "0 Pa"]
+step = ["48 kPa", "100 Pa"]
+[bridges]
+control = "suction"
+capillary_pressure = "50 kPa"
+coalescence_saturation = 0.1
+)",
+                            "case.toml", "/study")
+                     .c;
+  for (const Case& one : {c, parse_case(resolved_case(c), "case.toml", "/study").c}) {
+    const auto& s = std::get<UnsaturatedStage>(one.stages[1]);
+    EXPECT_EQ(s.start, UnsaturatedStage::Start::dry);
+    EXPECT_THAT(s.step, ElementsAre(48e3, 100.0));
+    EXPECT_EQ(one.bridges->coalescence_saturation, 0.1);
+  }
+  const std::string path = "path = [\"0 Pa\", \"1 kPa\", \"0 Pa\"]\n";
+  expect_error(path + "step = [\"1 Pa\", \"2 Pa\", \"3 Pa\"]\n", "one for each leg of the path: 2, not 3");
+  expect_error(path + "step = [\"1 kPa\", \"1e-3 Pa\"]\n", "steps along the path; at most 1e5");
+  expect_error(path + "start = \"dry\"\n", "needs a path that begins above 0 Pa");
+  expect_error("path = [\"1 kPa\"]\nstart = \"dry\"\ninitial_air_fraction = 1e-3\n", "not used with start");
+  expect_error(
+      "path = [\"1 kPa\", \"2 kPa\"]\ntimes = [\"0 s\", \"1 s\"]\n[bridges]\ncontrol = \"suction\"\n"
+      "capillary_pressure = \"1 kPa\"\n",
+      "exclude each other: bridges follow fluids at rest");
 }
 
 TEST(SwellingKeys, AreReadAndWrittenBack) {

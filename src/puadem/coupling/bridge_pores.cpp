@@ -4,6 +4,7 @@
 #include <map>
 
 #include "puadem/base/compensated_sum.hpp"
+#include "puadem/coupling/capillary_forces.hpp"
 #include "puadem/dem/bridge_exchange.hpp"
 #include "puadem/dem/bridge_pairs.hpp"
 #include "puadem/flow/two_phase_system.hpp"
@@ -67,6 +68,13 @@ void give_back(const Bridges& old, const std::vector<char>& stays, const EdgePor
   }
 }
 
+/// Saturation that a pore of the water's reservoir would have at its capillary pressure if gas had entered it; the air's
+/// reservoir is at pressure 0 [-].
+double reservoir_saturation(const TwoPhaseModel& model, const TwoPhaseState& flow, int pore) {
+  const double pc = -flow.wetting_pressure[to_size(pore)];
+  return pc > model.thresholds.unit[to_size(pore)].threshold ? local_saturation(model, flow.nonwetting, pore, pc) : 1.0;
+}
+
 /// Edges whose pores are all dry.
 std::vector<std::array<int, 2>> dry_edges(const EdgePores& edges, const std::vector<char>& dry) {
   std::vector<std::array<int, 2>> ends;
@@ -121,10 +129,23 @@ EdgePores edge_pores(const PoreNetwork& network, const GrainSystem& grains) {
 std::vector<char> dry_pores(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& flow,
                             double coalescence) {
   std::vector<char> dry(to_size(network.pores()));
-  for (int p = 0; p < network.pores(); ++p)
-    dry[to_size(p)] = flow.nonwetting.holds[to_size(p)] &&
-                      (!model.is_counted(p) || flow.wetting_volume[to_size(p)] < coalescence * network.pore_volume[to_size(p)]);
+  for (int p = 0; p < network.pores(); ++p) {
+    const std::size_t at = to_size(p);
+    if (model.is_counted(p))
+      dry[at] = flow.nonwetting.holds[at] && flow.wetting_volume[at] < coalescence * network.pore_volume[at];
+    else
+      dry[at] = flow.nonwetting.holds[at] || reservoir_saturation(model, flow, p) < coalescence;
+  }
   return dry;
+}
+
+std::vector<double> pendular_pressures(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& flow,
+                                       double coalescence) {
+  const std::vector<char> dry = dry_pores(network, model, flow, coalescence);
+  std::vector<double> pressure = effective_pressures(network, model, flow);
+  for (std::size_t p = 0; p < dry.size(); ++p)
+    if (dry[p]) pressure[p] = flow.nonwetting.holds[p] ? flow.nonwetting_pressure[p] : 0.0;
+  return pressure;
 }
 
 TwoPhaseState start_dry(const PoreNetwork& network, const TwoPhaseModel& model, double capillary_pressure) {

@@ -13,11 +13,13 @@ namespace puadem {
 
 // Liquid bridges on the edges of the triangulation whose pore units are all dry (theory 8.8).
 
+inline constexpr double default_coalescence = 0.3;  ///< of a pore, near the saturation at which one of beads fills [-]
+
 /// How pores and bridges hand water to each other.
 struct PendularOptions {
   BridgeModel model;                                        ///< at given suction
   BridgeFormation formation = BridgeFormation::at_contact;  ///< of the first bridges
-  double coalescence = 0.3;                                 ///< saturation from which a pore's water takes its bridges in [-]
+  double coalescence = default_coalescence;                 ///< saturation from which a pore's water takes its bridges in [-]
 };
 
 /// Edges of the triangulation with the pore units around them. Ends as in GrainBridges: grains, or a grain and a wall.
@@ -28,9 +30,15 @@ struct EdgePores {
 };
 EdgePores edge_pores(const PoreNetwork& network, const GrainSystem& grains);
 
-/// Which pores are dry: they hold gas, and less water than coalescence takes.
+/// Which pores are dry: they hold gas, and less water than coalescence takes. Pores of the water's reservoirs are dry where one
+/// at their capillary pressure would be that gas has entered: the reservoir reaches no farther than its face.
 std::vector<char> dry_pores(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& flow,
                             double coalescence);
+
+/// The pressures with which fluids push the walls of pores where bridges stand in dry ones: there it is the gas alone, the
+/// water pulls as bridges (theory 8.8) [Pa].
+std::vector<double> pendular_pressures(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& flow,
+                                       double coalescence);
 
 /// Both fluids as after a drainage to this capillary pressure that left gas in all pores and nothing cut off: water at the
 /// faces' reservoirs and, by the local law, in the corners of pores.

@@ -12,9 +12,10 @@ struct BridgeCase : BridgeRules {
   BridgeControl control = BridgeControl::volume;
   std::optional<double> capillary_pressure;  ///< at given suction [Pa]
   // At given volume one of these.
-  std::optional<double> water_content;  ///< mass of water over mass of grains [-]
-  std::optional<double> saturation;     ///< volume of water over that of the void [-]
-  std::optional<double> volume;         ///< of every bridge [m3]
+  std::optional<double> water_content;           ///< mass of water over mass of grains [-]
+  std::optional<double> saturation;              ///< volume of water over that of the void [-]
+  std::optional<double> volume;                  ///< of every bridge [m3]
+  std::optional<double> coalescence_saturation;  ///< of a pore beside a bridge that takes it in; none: 0.3 [-]
   BridgeModel::Law law = BridgeModel::Law::table;
 };
 

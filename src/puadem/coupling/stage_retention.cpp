@@ -103,7 +103,7 @@ void run_retention_stage(const Case& c, const RetentionStage& stage, State& stat
   auto& at = std::get<RetentionProgress>(state.position.progress);
   RetentionPath path;
   path.turning_points = stage.path;
-  path.step = stage.step;
+  path.step = {stage.step};
   if (state.particles.size() > 0) path.mean_grain_radius = statistics_of(state.particles.radius).mean_radius;
   const std::vector<RetentionStop> stops = retention_stops(path);
   for (int k = size_of(state.retention); k < size_of(stops); ++k) {

@@ -160,7 +160,7 @@ bool note_step(Flowing& f) {
 
 /// The capillary pressures of the path one after the other, each for its time or until the fluids rest.
 void follow_pressures(Flowing& f, const TwoPhaseCallbacks& callbacks) {
-  const std::vector<RetentionStop> stops = retention_stops({f.stage.path, f.stage.step, 1.0});
+  const std::vector<RetentionStop> stops = retention_stops({f.stage.path, {f.stage.step}, 1.0});
   // Newton's method leaves saturations within its tolerance; rest is no less than that.
   RestCriterion rest;
   rest.saturation_change = std::max(rest.saturation_change, 10.0 * f.model.options.steps.tolerance);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "puadem/base/error.hpp"
+#include "puadem/coupling/case_bridges.hpp"
 #include "puadem/coupling/checked_network.hpp"
 #include "puadem/coupling/loading_program.hpp"
 #include "puadem/coupling/ready_grains.hpp"
@@ -40,7 +42,7 @@ struct Unsaturated {
   double strain() { return std::log(at.start_size[record().axis] / grains().domain.size()[record().axis]); }
 };
 
-UnsaturatedOptions options_of(const Case& c, const UnsaturatedStage& stage, double mean_radius) {
+UnsaturatedOptions options_of(const Case& c, const UnsaturatedStage& stage, const GrainSystem& grains, double mean_radius) {
   UnsaturatedOptions options;
   options.fluids = c.fluids;
   options.flow.gas = GasKind::connected;
@@ -55,7 +57,19 @@ UnsaturatedOptions options_of(const Case& c, const UnsaturatedStage& stage, doub
   options.initial_air_fraction = stage.initial_air_fraction;
   options.remesh_displacement = stage.remesh_displacement * mean_radius;
   options.unbalanced = stage.unbalanced;
+  if (stage.start == UnsaturatedStage::Start::dry) options.dry_at = stage.path.front();
+  if (c.bridges)
+    options.bridges = {grains.bridges ? grains.bridges->model : bridge_model(c), c.bridges->formation,
+                       c.bridges->coalescence_saturation.value_or(default_coalescence)};
   return options;
+}
+
+/// The pressures at which all come to rest; motion in time begins from the first.
+std::vector<RetentionStop> stops_of(const UnsaturatedStage& stage, double mean_radius) {
+  RetentionPath path{stage.path, stage.step, mean_radius};
+  if (!stage.times.empty()) path.turning_points.resize(1);
+  const bool is_dry = stage.start == UnsaturatedStage::Start::dry;
+  return retention_stops(path, is_dry ? std::numeric_limits<double>::infinity() : 0.0);
 }
 
 UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer& observer) {
@@ -81,7 +95,8 @@ UnsaturatedProgress begin(const Case& c, int index, State& state, const Observer
   for (int face = 0; face < 6; ++face)
     if (stage.loaded[to_size(face)]) hold_stress(face, *stage.stress, scale, grains);
   UnsaturatedCache cache;
-  state.unsaturated = start_unsaturated(options_of(c, stage, at.mean_radius), state.network, state.particles, grains, cache);
+  state.unsaturated =
+      start_unsaturated(options_of(c, stage, grains, at.mean_radius), state.network, state.particles, grains, cache);
   state.unsaturated->swelling = start_swelling(state.particles, c.materials);
   return at;
 }
@@ -187,15 +202,10 @@ void follow_path(Unsaturated& u) {
 double move_walls(Unsaturated& u) {
   GrainSystem& grains = u.grains();
   const double rate = std::copysign(u.at.strain_rate, *u.stage.strain), height = grains.domain.size().z;
-  const Vec3 size = grains.domain.size();
   for (Wall& wall : grains.walls) {
-    if (wall.face < 0) continue;
-    const int axis = axis_of(wall.face);
-    if (axis == 2) {
-      wall.target.reset();
-      wall.velocity = {};
-    }
-    wall.area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+    if (wall.face < 0 || axis_of(wall.face) != 2) continue;
+    wall.target.reset();
+    wall.velocity = {};
   }
   set_box_rate(grains, {0.0, 0.0, -rate * height});
   const double left = std::abs(*u.stage.strain - u.strain());
@@ -281,15 +291,16 @@ void run_unsaturated_stage(const Case& c, int index, State& state, const Observe
   const auto& stage = std::get<UnsaturatedStage>(c.stages[to_size(index)]);
   if (!has_begun(state)) state.position.progress = begin(c, index, state, observer);
   auto& at = std::get<UnsaturatedProgress>(state.position.progress);
-  Unsaturated u{c, stage, state, observer, results, at, options_of(c, stage, at.mean_radius)};
-  const bool moves = !stage.times.empty();
-  u.stops = retention_stops({moves ? std::vector{stage.path.front()} : stage.path, stage.step, at.mean_radius});
+  Unsaturated u{c, stage, state, observer, results, at, options_of(c, stage, *state.grains, at.mean_radius)};
+  if (state.grains->bridges) state.grains->bridges->rules.by_pores = true;
+  u.stops = stops_of(stage, at.mean_radius);
   renew_cache(u.options, state.network, state.particles, u.grains().domain, u.fluids(), u.cache);
   follow_path(u);
-  if (moves) move_through_times(u);
+  if (!stage.times.empty()) move_through_times(u);
   if (stage.strain) strain_box(u);
   set_box_rate(u.grains(), {});
   release_forces(u.grains());
+  if (u.grains().bridges) u.grains().bridges->rules.by_pores = false;
   describe_unsaturated(u.record(), u.fluids(), results);
   tell_end(u);
 }

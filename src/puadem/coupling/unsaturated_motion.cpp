@@ -4,6 +4,7 @@
 
 #include "puadem/coupling/saturated_step.hpp"
 #include "puadem/coupling/wall_guard.hpp"
+#include "puadem/coupling/wall_servo.hpp"
 #include "puadem/dem/grain_statistics.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/time_step.hpp"
@@ -19,6 +20,7 @@ constexpr double farthest = 0.01;        // of the mean radius, that a grain goe
 double advance(std::span<const Material> materials, double density, double longest, GrainSystem& grains, Particles& particles,
                UnsaturatedState& state) {
   double time = 0.0;
+  renew_wall_areas(grains);
   for (long step = 0;; ++step) {
     if (step % time_step_interval == 0) {
       evaluate_forces(grains);
@@ -67,7 +69,7 @@ double move_in_time(const UnsaturatedOptions& options, std::span<const Material>
   std::vector<double> uptake;
   if (state.swelling.size() > 0) uptake = take_up(*cache.model, shares, before, taken, particles, state.swelling);
   follow_grains(options, taken, uptake, grains, particles, network, state, cache);
-  set_fluid_forces(network, particles, grains, state, cache);
+  set_fluid_forces(options, network, particles, grains, state, cache);
   return taken;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "puadem/coupling/capillary_forces.hpp"
+#include "puadem/dem/bridge_measures.hpp"
 #include "puadem/dem/contacts.hpp"
 #include "puadem/dem/fabric.hpp"
 #include "puadem/dem/force_chains.hpp"
@@ -71,17 +72,19 @@ UnsaturatedRow unsaturated_row(const GrainSystem& grains, const PoreNetwork& net
   const InvasionTotals sums = totals(network, *cache.model, state.flow);
   UnsaturatedRow row;
   row.capillary_pressure = state.capillary_pressure;
-  row.saturation = sums.saturation;
+  const double space = compensated_sum(network.pore_volume);
+  row.saturation = sums.saturation + state.bridge_water / space;
   row.trapped_wetting = sums.trapped_wetting;
   row.trapped_nonwetting = sums.trapped_nonwetting;
   for (int a = 0; a < 3; ++a) {
-    row.contact_stress[a] = m.stress[to_size(a)][a];
+    row.bridge_stress[a] = m.bridge_stress[to_size(a)][a];
+    row.contact_stress[a] = m.stress[to_size(a)][a] - row.bridge_stress[a];
     row.fluid_stress[a] = fluid[to_size(a)][a];
   }
   row.total_stress = total_stress(grains, axis, m.stress, fluid);
   if (state.capillary_pressure > 0.0) {
     row.chi_contact = (row.contact_stress[axis] - row.total_stress) / state.capillary_pressure;
-    row.chi_fluid = -row.fluid_stress[axis] / state.capillary_pressure;
+    row.chi_fluid = -(row.fluid_stress[axis] + row.bridge_stress[axis]) / state.capillary_pressure;
   }
   row.mean_force = contacts.mean_force;
   row.strong_share = chains.strong_share;
@@ -95,6 +98,12 @@ UnsaturatedRow unsaturated_row(const GrainSystem& grains, const PoreNetwork& net
   for (std::size_t k = 0; k < solid.size(); ++k) solid[k] -= state.tension[k];
   row.tension_force = mean_of(magnitudes(state.tension));
   row.pressure_force = mean_of(magnitudes(solid));
+  if (grains.bridges) {
+    const BridgeMeasures bridges = measure_bridges(grains);
+    row.bridges = bridges.bridges;
+    row.bridge_force = bridges.mean_force;
+    row.bridge_saturation = state.bridge_water / space;
+  }
   const auto [water, gas] = ledger_errors(network, state, cache);
   row.wetting_error = water;
   row.nonwetting_error = gas;

@@ -12,16 +12,18 @@
 namespace puadem {
 
 /// Stage "unsaturated-flow": steps of the capillary pressure, at each of which grains and two fluids move each other until all
-/// rest (theory 7.6). It begins with water everywhere.
+/// rest (theory 7.6). It begins with water everywhere, or dry at the first pressure (theory 8.8).
 struct UnsaturatedStage {
   static constexpr std::string_view kind = "unsaturated-flow";
+  enum class Start { saturated, dry };
 
   std::vector<double> path;  ///< turning points of the capillary pressure [Pa]
   /// When the reservoirs reach each of them, straight lines between: grains and fluids then move in time, from rest at the
   /// first, and swelling grains grow (theory 7.9) [s]; empty: rest at every step of the path
   std::vector<double> times;
-  std::optional<double> coupling_interval;                             ///< with `times`: fluids' forces stay that long [s]
-  double step = 100.0;                                                 ///< along the path [Pa]
+  std::optional<double> coupling_interval;  ///< with `times`: fluids' forces stay that long [s]
+  std::vector<double> step{100.0};          ///< along the path, or one for each of its legs [Pa]
+  Start start = Start::saturated;
   int air = 5;                                                         ///< face of its reservoir, at pressure 0
   std::array<bool, 6> water{false, false, false, false, true, false};  ///< faces of the water's reservoir
   double initial_air_fraction = 1e-6;                                  ///< of the pores at the air's face [-]
@@ -54,15 +56,16 @@ struct UnsaturatedRow {
   std::optional<double> time;                              ///< since motion in time began [s]; none at rest
   double capillary_pressure = 0.0;                         ///< [Pa]
   double pc_star = 0.0;                                    ///< p_c <r> / gamma [-]
-  double saturation = 1.0;                                 ///< [-]
+  double saturation = 1.0;                                 ///< water of bridges included [-]
   double strain = 0.0;                                     ///< logarithmic, along the axis, since rest at the first pressure [-]
   double volume_strain = 0.0;                              ///< the same of the box's volume [-]
   double porosity = 0.0;                                   ///< [-]
   double total_stress = 0.0;                               ///< along the axis, over the air's pressure [Pa]
   Vec3 contact_stress;                                     ///< sigma' along x, y, z [Pa]
+  Vec3 bridge_stress;                                      ///< of liquid bridges, negative: tension [Pa]
   Vec3 fluid_stress;                                       ///< of the fluids' forces on grains and walls, theory 7.8 [Pa]
   std::optional<double> chi_contact;                       ///< Bishop's, from the contacts; none without capillary pressure [-]
-  std::optional<double> chi_fluid;                         ///< and from the fluids' forces [-]
+  std::optional<double> chi_fluid;                         ///< and from the forces of fluids and bridges [-]
   double mean_force = 0.0;                                 ///< normal, of the contacts between grains [N]
   double mean_force_ratio = 1.0;                           ///< over that at the first pressure [-]
   double strong_share = 0.0;                               ///< of these contacts, those of more than the mean force [-]
@@ -73,6 +76,9 @@ struct UnsaturatedRow {
   double capillary_force = 0.0;                            ///< their mean magnitude [N]
   double pressure_force = 0.0;                             ///< of the part that pressures on the solid make [N]
   double tension_force = 0.0;                              ///< of the part that menisci in throats make [N]
+  int bridges = 0;                                         ///< between grains, and grains and walls
+  double bridge_force = 0.0;                               ///< mean attraction of one [N]
+  double bridge_saturation = 0.0;                          ///< their water over the void [-]
   double trapped_wetting = 0.0, trapped_nonwetting = 0.0;  ///< shares of the void [-]
   double wetting_error = 0.0, nonwetting_error = 0.0;      ///< of the ledger, over the void [-]
   int rounds = 0;                                          ///< until all rested

@@ -8,6 +8,8 @@
 #include "puadem/coupling/fluid_transfer.hpp"
 #include "puadem/coupling/vanishing_pores.hpp"
 #include "puadem/coupling/wall_guard.hpp"
+#include "puadem/coupling/wall_servo.hpp"
+#include "puadem/dem/bridge_forces.hpp"
 #include "puadem/dem/motion.hpp"
 #include "puadem/dem/stress.hpp"
 #include "puadem/dem/time_step.hpp"
@@ -79,6 +81,7 @@ bool have_gone_far(const UnsaturatedOptions& options, const GrainSystem& grains,
 }
 
 void advance(long steps, GrainSystem& grains, UnsaturatedState& state) {
+  renew_wall_areas(grains);
   advance_grains(grains, steps);
   guard_walls(grains);
   state.grain_steps += steps;
@@ -87,9 +90,11 @@ void advance(long steps, GrainSystem& grains, UnsaturatedState& state) {
 
 }  // namespace
 
-void set_fluid_forces(const PoreNetwork& network, const Particles& particles, GrainSystem& grains, UnsaturatedState& state,
-                      const UnsaturatedCache& cache) {
-  const std::vector<double> pressure = effective_pressures(network, *cache.model, state.flow);
+void set_fluid_forces(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
+                      GrainSystem& grains, UnsaturatedState& state, const UnsaturatedCache& cache) {
+  const std::vector<double> pressure = options.bridges
+                                           ? pendular_pressures(network, *cache.model, state.flow, options.bridges->coalescence)
+                                           : effective_pressures(network, *cache.model, state.flow);
   state.forces = pressure_forces(network, cache.areas, pressure, {}, particles.size());
   state.tension = tension_forces(network, cache.areas, pressure, particles.size());
   freeze_forces(state.forces, grains);
@@ -105,13 +110,18 @@ UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const Pore
                                    GrainSystem& grains, UnsaturatedCache& cache) {
   UnsaturatedState state;
   state.place = place_of(network, particles, grains.domain);
+  state.capillary_pressure = options.dry_at.value_or(0.0);
   renew_cache(options, network, particles, grains.domain, state, cache);
-  state.flow = start_two_phase(network, *cache.model);
+  state.flow = options.dry_at ? start_dry(network, *cache.model, *options.dry_at) : start_two_phase(network, *cache.model);
+  if (options.bridges && grains.bridges) {
+    collect_bridges(grains);
+    state.bridge_water = compensated_sum(grains.bridges->bridges.volume);
+  }
   const Held held = held_by(network, state, *cache.model);
   state.void_listed = compensated_sum(network.pore_volume);
-  state.water_start = held.water;
+  state.water_start = held.water + state.bridge_water;
   state.gas_start = held.gas;
-  set_fluid_forces(network, particles, grains, state, cache);
+  set_fluid_forces(options, network, particles, grains, state, cache);
   return state;
 }
 
@@ -124,6 +134,7 @@ bool rest_grains(const UnsaturatedOptions& options, GrainSystem& grains, Particl
   };
   for (long step = 0;; step += check_interval) {
     evaluate_forces(grains);
+    renew_wall_areas(grains);
     const GrainMeasures m = measure(grains);
     if (step > 0 && m.unbalanced < options.unbalanced && holds_stress()) return true;
     ensure(state.settling_steps < options.most_steps,
@@ -196,21 +207,26 @@ void set_water_pressure(const Schedule& pressure, UnsaturatedCache& cache) {
     if (boundary.fluid == FluidPhase::wetting) boundary.schedule = pressure;
 }
 
-void rest_fluids(const UnsaturatedOptions&, const PoreNetwork& network, const Particles& particles, GrainSystem& grains,
+void rest_fluids(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, GrainSystem& grains,
                  UnsaturatedState& state, UnsaturatedCache& cache, const TwoPhaseCallbacks& callbacks) {
   set_water_pressure(Schedule::constant(-state.capillary_pressure), cache);
   RestCriterion rest;
   // Newton's method leaves saturations within its tolerance; rest is no less than that.
   rest.saturation_change = std::max(rest.saturation_change, 10.0 * cache.model->options.steps.tolerance);
   state.fluid_steps += equilibrate_two_phase(network, *cache.model, rest, state.flow, callbacks).steps;
-  set_fluid_forces(network, particles, grains, state, cache);
+  if (options.bridges) {
+    evaluate_forces(grains);
+    state.bridge_water = follow_pores(*options.bridges, state.capillary_pressure, network, *cache.model, state.flow, grains);
+  }
+  set_fluid_forces(options, network, particles, grains, state, cache);
 }
 
 std::array<double, 2> ledger_errors(const PoreNetwork& network, const UnsaturatedState& state, const UnsaturatedCache& cache) {
   const Held held = held_by(network, state, *cache.model);
   const FluidLedger& l = state.flow.ledger;
   const double space = held.water + held.gas;
-  return {(state.water_start + l.wetting_in.value() - l.wetting_out.value() - held.water) / space,
+  const double water = held.water + state.bridge_water;
+  return {(state.water_start + l.wetting_in.value() - l.wetting_out.value() - water) / space,
           (state.gas_start + l.nonwetting_in.value() - l.nonwetting_out.value() - held.gas) / space};
 }
 

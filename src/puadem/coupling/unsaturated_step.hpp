@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "puadem/coupling/bridge_pores.hpp"
 #include "puadem/coupling/capillary_forces.hpp"
 #include "puadem/coupling/moving_pores.hpp"
 #include "puadem/coupling/swelling.hpp"
@@ -26,6 +27,8 @@ struct UnsaturatedOptions {
   double unbalanced = 1e-3;                                            ///< force ratio at which grains are at rest [-]
   double stress_tolerance = 1e-3;                                      ///< of a wall that holds a stress [-]
   long most_steps = 500'000;                                           ///< of the grains at one capillary pressure
+  std::optional<double> dry_at;                                        ///< capillary pressure of a start from dry [Pa]
+  std::optional<PendularOptions> bridges;                              ///< between dry pores; none: no bridges
 };
 
 /// Everything a restart needs besides network, grains and their frozen forces.
@@ -36,7 +39,8 @@ struct UnsaturatedState {
   std::vector<Vec3> tension;                  ///< what menisci in throats make of those on grains [N]
   double capillary_pressure = 0.0;            ///< of the reservoirs [Pa]
   double void_listed = 0.0;                   ///< when the network was made [m3]
-  double water_start = 0.0, gas_start = 0.0;  ///< of the counted pores [m3]
+  double water_start = 0.0, gas_start = 0.0;  ///< of the counted pores and, water, of bridges [m3]
+  double bridge_water = 0.0;                  ///< in bridges, as booked last [m3]
   long remeshes = 0, cells_renewed = 0, pores_changed = 0;
   long grain_steps = 0, fluid_steps = 0;
   double grain_time = 0.0;  ///< that the grains took [s]
@@ -54,7 +58,8 @@ struct UnsaturatedCache {
 void renew_cache(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, const Domain& domain,
                  const UnsaturatedState& state, UnsaturatedCache& cache);
 
-/// Water everywhere but for a trace of air at its face, at no capillary pressure; its forces on grains and walls.
+/// Water everywhere but for a trace of air at its face, at no capillary pressure, or dry at a given one; the fluids' forces on
+/// grains and walls. Water that stands in bridges already is counted in.
 UnsaturatedState start_unsaturated(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
                                    GrainSystem& grains, UnsaturatedCache& cache);
 
@@ -80,10 +85,10 @@ void follow_grains(const UnsaturatedOptions& options, double time, std::span<con
 void set_water_pressure(const Schedule& pressure, UnsaturatedCache& cache);
 
 /// The forces of the fluids on grains and walls as they stand; they act until the next call.
-void set_fluid_forces(const PoreNetwork& network, const Particles& particles, GrainSystem& grains, UnsaturatedState& state,
-                      const UnsaturatedCache& cache);
+void set_fluid_forces(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles,
+                      GrainSystem& grains, UnsaturatedState& state, const UnsaturatedCache& cache);
 
-/// The fluids come to rest at the capillary pressure of the state; then their forces are set.
+/// The fluids come to rest at the capillary pressure of the state, and bridges follow; then their forces are set.
 void rest_fluids(const UnsaturatedOptions& options, const PoreNetwork& network, const Particles& particles, GrainSystem& grains,
                  UnsaturatedState& state, UnsaturatedCache& cache, const TwoPhaseCallbacks& callbacks = {});
 

@@ -18,4 +18,13 @@ void correct_servo(double stress, long steps, GrainSystem& grains) {
   }
 }
 
+void renew_wall_areas(GrainSystem& grains) {
+  const Vec3 size = grains.domain.size();
+  for (Wall& wall : grains.walls) {
+    if (wall.face < 0) continue;
+    const int axis = axis_of(wall.face);
+    wall.area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+  }
+}
+
 }  // namespace puadem

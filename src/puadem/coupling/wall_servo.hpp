@@ -10,4 +10,7 @@ namespace puadem {
 /// @pre the forces on the walls are those of the present places, or of the step before
 void correct_servo(double stress, long steps, GrainSystem& grains);
 
+/// The areas over which walls hold their stress, of the present box.
+void renew_wall_areas(GrainSystem& grains);
+
 }  // namespace puadem

@@ -1,5 +1,6 @@
 #include "puadem/flow/retention_path.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "puadem/base/error.hpp"
@@ -10,7 +11,11 @@ namespace {
 
 void check(const RetentionPath& path) {
   require(!path.turning_points.empty(), "the retention path is empty: give at least one capillary pressure");
-  require(std::isfinite(path.step) && path.step > 0.0, "the step of the retention path is {} Pa; it must be positive", path.step);
+  for (const double step : path.step)
+    require(std::isfinite(step) && step > 0.0, "the step of the retention path is {} Pa; it must be positive", step);
+  require(path.step.size() == 1 || path.step.size() + 1 == path.turning_points.size(),
+          "the retention path has {} steps for {} legs; give one for all or one for each", path.step.size(),
+          path.turning_points.size() - 1);
   for (int k = 0; k < size_of(path.turning_points); ++k) {
     const double point = path.turning_points[to_size(k)];
     require(std::isfinite(point) && point >= 0.0, "value {} of the retention path is {} Pa; it must be finite and not negative",
@@ -20,13 +25,16 @@ void check(const RetentionPath& path) {
   }
 }
 
+/// Step of the leg that ends at turning point k.
+double step_of(const RetentionPath& path, int k) { return path.step.size() == 1 ? path.step.front() : path.step[to_size(k - 1)]; }
+
 void check_length(const RetentionPath& path) {
   constexpr double most_rows = 1e6;
-  double length = 0.0;
+  double rows = 0.0;
   for (int k = 1; k < size_of(path.turning_points); ++k)
-    length += std::abs(path.turning_points[to_size(k)] - path.turning_points[to_size(k - 1)]);
-  require(length / path.step < most_rows,
-          "the retention path of {} Pa has more than a million steps of {} Pa: take a larger step", length, path.step);
+    rows += std::abs(path.turning_points[to_size(k)] - path.turning_points[to_size(k - 1)]) / step_of(path, k);
+  require(rows < most_rows, "the retention path has more than a million steps of {} Pa: take a larger step",
+          std::ranges::min(path.step));
 }
 
 // Stops within a leg, the end included and the start left out.
@@ -56,7 +64,7 @@ std::vector<RetentionStop> retention_stops(const RetentionPath& path, double sta
       drains = to > from;
       branch = next_branch();
     }
-    add_leg(from, to, path.step, branch, stops);
+    add_leg(from, to, step_of(path, k), branch, stops);
   }
   return stops;
 }

@@ -12,8 +12,9 @@ namespace puadem {
 /// one turning point after the other.
 struct RetentionPath {
   std::vector<double> turning_points;  ///< [Pa], >= 0, neighbours different
-  double step = 100.0;                 ///< rows at multiples of it from the start of each leg, and at its end [Pa]
-  double mean_grain_radius = 0.0;      ///< <r> of p_c* = p_c <r> / gamma [m]
+  /// Rows at multiples of it from the start of each leg, and at its end; one for all legs or one for each [Pa].
+  std::vector<double> step{100.0};
+  double mean_grain_radius = 0.0;  ///< <r> of p_c* = p_c <r> / gamma [m]
 };
 
 /// A pressure of a path and the branch it belongs to.
@@ -23,7 +24,9 @@ struct RetentionStop {
 };
 
 /// All stops of a path that starts at pressure `start`. Legs that go on in one direction share a branch.
-/// @throws InputError  for an empty path, a step that is not positive, turning points negative, not
+/// @param start  infinite: the path begins with an imbibition
+/// @throws InputError  for an empty path, a step that is not positive, other than one step for all legs or one for each, turning
+/// points negative, not
 ///                     finite or the same as their neighbour
 std::vector<RetentionStop> retention_stops(const RetentionPath& path, double start = 0.0);
 

@@ -60,15 +60,23 @@ void check_bridges(const TomlValue& tree, const Case& c, Problems& problems) {
   if (bridges == nullptr || bridges->kind != TomlValue::Kind::table || !c.bridges) return;
   if (std::ranges::none_of(problems.errors, [](const auto& e) { return e.key.starts_with("bridges"); }))
     check_amounts(*bridges, *c.bridges, problems);
+  const auto is_unsaturated = [](const Stage& stage) { return std::holds_alternative<UnsaturatedStage>(stage); };
   for (const Stage& stage : c.stages)
-    if (couples(stage))
+    if (couples(stage) && !is_unsaturated(stage))
       problems.error(bridges->key_place, fmt::format("[bridges] cannot be together with a stage \"{}\": there all water is in "
                                                      "the pores; remove one",
                                                      kind_of(stage)));
-  const auto loads = [](const Stage& stage) {
-    return std::visit([](const auto& s) { return is_loading<std::decay_t<decltype(s)>>; }, stage);
+  const bool with_fluids = std::ranges::any_of(c.stages, is_unsaturated);
+  if (with_fluids && c.bridges->control == BridgeControl::volume)
+    problems.error(bridges->key_place,
+                   "[bridges] have the suction of the fluids around them in a stage \"unsaturated-flow\": write control = "
+                   "\"suction\" and the capillary_pressure of the stages before it");
+  if (const TomlValue* key = bridges->find("coalescence_saturation"); key != nullptr && !with_fluids)
+    problems.error(key->key_place, "bridges.coalescence_saturation is used in a stage \"unsaturated-flow\" only; remove it");
+  const auto acts = [&](const Stage& stage) {
+    return is_unsaturated(stage) || std::visit([](const auto& s) { return is_loading<std::decay_t<decltype(s)>>; }, stage);
   };
-  if (!c.stages.empty() && std::ranges::none_of(c.stages, loads))
+  if (!c.stages.empty() && std::ranges::none_of(c.stages, acts))
     problems.error(bridges->key_place,
                    "[bridges] acts in stages that load the grains, of which there is none; add one, such as \"isotropic\"");
 }

@@ -10,7 +10,7 @@ namespace puadem {
 
 namespace {
 
-void check_times(const UnsaturatedStage& s, const TomlValue& tree, const CoupledStageChecks& at) {
+void check_times(const UnsaturatedStage& s, bool bridges, const TomlValue& tree, const CoupledStageChecks& at) {
   if (s.times.empty()) {
     if (s.coupling_interval) at.error("coupling_interval", ".coupling_interval is used with times only; remove it");
     return;
@@ -23,6 +23,19 @@ void check_times(const UnsaturatedStage& s, const TomlValue& tree, const Coupled
   if (!std::ranges::is_sorted(s.times, std::less_equal<>{})) at.error("times", ".times must rise");
   if (s.strain) at.error("times", ".times and .strain exclude each other; use a stage for each");
   if (tree.find("step") != nullptr) at.error("step", ".step is not used with times; remove it");
+  if (bridges) at.error("times", ".times and [bridges] exclude each other: bridges follow fluids at rest");
+}
+
+void check_steps(const UnsaturatedStage& s, const CoupledStageChecks& at) {
+  if (s.step.size() != 1 && s.step.size() + 1 != s.path.size()) {
+    at.error("step",
+             fmt::format(".step needs one value, or one for each leg of the path: {}, not {}", s.path.size() - 1, s.step.size()));
+    return;
+  }
+  double steps = 0.0;
+  for (std::size_t i = 1; i < s.path.size(); ++i)
+    steps += std::abs(s.path[i] - s.path[i - 1]) / (s.step.size() == 1 ? s.step.front() : s.step[i - 1]);
+  if (steps > 1e5) at.error("step", fmt::format(".step makes {:.3g} steps along the path; at most 1e5", steps));
 }
 
 }  // namespace
@@ -50,10 +63,13 @@ void check_unsaturated_stage(const UnsaturatedStage& s, const TomlValue& tree, i
     if (!s.strain && tree.find(key) != nullptr) at.error(key, fmt::format(".{} is used with strain only; remove it", key));
   for (std::size_t i = 1; i < s.path.size(); ++i)
     if (s.times.empty() && s.path[i] == s.path[i - 1]) at.error("path", ".path: a pressure must differ from the one before it");
-  check_times(s, tree, at);
-  double span = 0.0;
-  for (std::size_t i = 1; i < s.path.size(); ++i) span += std::abs(s.path[i] - s.path[i - 1]);
-  if (span / s.step > 1e5) at.error("step", fmt::format(".step makes {:.3g} steps along the path; at most 1e5", span / s.step));
+  check_times(s, c.bridges.has_value(), tree, at);
+  if (s.times.empty()) check_steps(s, at);
+  if (s.start == UnsaturatedStage::Start::dry) {
+    if (!s.path.empty() && s.path.front() == 0.0) at.error("start", ".start = \"dry\" needs a path that begins above 0 Pa");
+    if (tree.find("initial_air_fraction") != nullptr)
+      at.error("initial_air_fraction", ".initial_air_fraction is not used with start = \"dry\"; remove it");
+  }
 }
 
 }  // namespace puadem

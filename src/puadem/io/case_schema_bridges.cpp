@@ -5,6 +5,14 @@ namespace puadem {
 
 namespace {
 
+/// A key that is written only where bridges keep their volume.
+Field<BridgeCase> of_given_volume(Field<BridgeCase> field) {
+  field.write = [write = field.write](const BridgeCase& b) {
+    return b.control == BridgeControl::volume ? write(b) : std::string();
+  };
+  return field;
+}
+
 const Section<BridgeCase>& bridges_section() {
   static const Section<BridgeCase> section{{
       bind_choice<BridgeCase>(
@@ -38,16 +46,21 @@ const Section<BridgeCase>& bridges_section() {
                  "where the first bridges stand: where grains touch, as when they get wet; or wherever one can, as when a "
                  "packing has dried; later ones form at contact"),
           &BridgeCase::formation),
-      bind_choice<BridgeCase>(choice("rupture", {"halves", "neck"},
-                                     "how a ruptured bridge leaves its water to its grains: in halves, or divided at "
-                                     "its neck"),
-                              &BridgeCase::split),
-      bind_choice<BridgeCase>(
+      of_given_volume(
+          bind_choice<BridgeCase>(choice("rupture", {"halves", "neck"},
+                                         "how a ruptured bridge leaves its water to its grains: in halves, or divided at "
+                                         "its neck"),
+                                  &BridgeCase::split)),
+      bind<BridgeCase>(
+          number("coalescence_saturation", inside(0, 1),
+                 "in a stage unsaturated-flow: saturation from which a pore takes in the bridges around it", between(0.01, 0.9)),
+          &BridgeCase::coalescence_saturation),
+      of_given_volume(bind_choice<BridgeCase>(
           choice(
               "exchange", {"neighbours", "films"},
               "what water left on a grain does, at given volume: it goes to the grain's other bridges, which give each new one "
               "its share; or it stays until the grain touches something"),
-          &BridgeCase::exchange),
+          &BridgeCase::exchange)),
   }};
   return section;
 }
@@ -55,8 +68,10 @@ const Section<BridgeCase>& bridges_section() {
 }  // namespace
 
 Field<Case> bridges_field() {
-  return bind_table<Case>(plain("bridges", "a table", "liquid bridges between grains, in the stages that load them"),
-                          bridges_section, &Case::bridges);
+  return bind_table<Case>(
+      plain("bridges", "a table",
+            "liquid bridges between grains, in the stages that load them and between the dry pores of unsaturated-flow"),
+      bridges_section, &Case::bridges);
 }
 
 }  // namespace puadem

@@ -16,6 +16,19 @@ KeyInfo faces(std::string name, std::string help, std::string example) {
   return info;
 }
 
+Field<S> step_field() {
+  KeyInfo info = quantity("step", "Pa", above(0), between(1e-2, 1e8), R"(["10 kPa", "50 Pa"])",
+                          "along the path, one for all of it or one for each of its legs");
+  info.type = "a pressure or a list of pressures";
+  return {info,
+          [info](const TomlValue& value, Problems& problems, S& s) {
+            if (value.kind == TomlValue::Kind::array) return read_value(value, info, problems, s.step);
+            s.step.resize(1);
+            read_value(value, info, problems, s.step.front());
+          },
+          [info](const S& s) { return s.step.size() == 1 ? write_value(info, s.step.front()) : write_value(info, s.step); }};
+}
+
 void add_path(Fields& fields) {
   fields.push_back(bind<S>(needed(quantity("path", "Pa", at_least(0), between(1e-2, 1e9), R"(["0 Pa", "2 kPa", "0 Pa"])",
                                            "turning points of the capillary pressure between the reservoirs")),
@@ -33,11 +46,15 @@ void add_path(Fields& fields) {
                                           "with times: longest time over which the fluids' forces stay the same"),
                                  "half of the limit of theory 7.3"),
                            &S::coupling_interval));
-  fields.push_back(bind<S>(quantity("step", "Pa", above(0), between(1e-2, 1e8), R"("50 Pa")", "along the path"), &S::step));
+  fields.push_back(step_field());
   fields.back().write = [write = fields.back().write](const S& s) { return s.times.empty() ? write(s) : std::string(); };
 }
 
 void add_places(Fields& fields) {
+  fields.push_back(bind_choice<S>(choice("start", {"saturated", "dry"},
+                                         "water everywhere at no capillary pressure; or gas, at the first pressure of the path, "
+                                         "with water in the corners of pores and, with [bridges], in these"),
+                                  &S::start));
   const KeyInfo air = choice("air", {face_names.begin(), face_names.end()}, "face where the non-wetting fluid comes from");
   fields.push_back({air,
                     [air](const TomlValue& value, Problems& problems, S& s) {
@@ -48,6 +65,9 @@ void add_places(Fields& fields) {
   fields.push_back(
       bind<S>(number("initial_air_fraction", inside(0, 1), "air in the pores at its face at the start", between(1e-9, 0.5)),
               &S::initial_air_fraction));
+  fields.back().write = [write = fields.back().write](const S& s) {
+    return s.start == S::Start::saturated ? write(s) : std::string();
+  };
 }
 
 void add_load(Fields& fields) {

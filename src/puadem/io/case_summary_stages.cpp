@@ -77,7 +77,7 @@ std::string points_text(const std::vector<double>& path) {
 }
 
 std::string path_text(const RetentionStage& stage, int& equilibria) {
-  const auto stops = retention_stops({stage.path, stage.step, 1.0});
+  const auto stops = retention_stops({stage.path, {stage.step}, 1.0});
   equilibria = size_of(stops);
   std::string text;
   std::string branch;
@@ -167,6 +167,7 @@ void describe(const UnsaturatedStage& stage, Walk& w) {
   if (stage.stress) text += fmt::format(", {} on the loaded walls", show(*stage.stress, "Pa"));
   if (stage.strain) text += fmt::format(", then to a strain of {} along z", *stage.strain);
   if (!moves) text += fmt::format(", {} equilibria", stops.size());
+  if (stage.start == UnsaturatedStage::Start::dry) text += ", from dry";
   add_stage(w.summary, w.number, fmt::format("{} {}", UnsaturatedStage::kind, text));
   w.equilibria += size_of(stops);
   if (moves) ++w.histories;

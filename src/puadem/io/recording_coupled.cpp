@@ -31,6 +31,7 @@ void write_unsaturated_fields(ResultsFolder& folder, const Case& c, const State&
   write_frame(folder, folder.contact_frames, "contacts", time, contact_fields(state));
   write_frame(folder, folder.pore_frames, "pores", time, pore_fields(state));
   write_frame(folder, folder.throat_frames, "throats", time, throat_fields(state, c.fluids));
+  if (state.grains->bridges) write_frame(folder, folder.bridge_frames, "bridges", time, bridge_fields(state));
 }
 
 /// A state on the way: sets of files as in stages that load the grains, at every so many rows.

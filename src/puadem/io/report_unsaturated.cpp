@@ -28,6 +28,11 @@ json regimes_json(std::span<const Row> branch) {
   return {{"air_entry", regimes->air_entry}, {"pendular", regimes->pendular}};
 }
 
+/// Mean of the stresses along the axes.
+json mean_column(std::span<const Row> branch, Vec3 Row::*stress) {
+  return column(branch, [=](const Row& r) { return ((r.*stress).x + (r.*stress).y + (r.*stress).z) / 3.0; });
+}
+
 json branch_json(std::span<const Row> branch) {
   return {{"name", branch.front().branch},
           {"fit", fit_json(branch)},
@@ -40,14 +45,19 @@ json branch_json(std::span<const Row> branch) {
           {"chi_contact", column(branch, &Row::chi_contact)},
           {"chi_fluid", column(branch, &Row::chi_fluid)},
           {"deviator", column(branch, contact_deviator)},
-          {"contact_mean",
-           column(branch, [](const Row& r) { return (r.contact_stress.x + r.contact_stress.y + r.contact_stress.z) / 3.0; })},
+          {"contact_mean", mean_column(branch, &Row::contact_stress)},
           {"force_ratio", column(branch, &Row::mean_force_ratio)},
           {"contact_anisotropy", column(branch, &Row::contact_anisotropy)},
           {"capillary_anisotropy", column(branch, &Row::capillary_anisotropy)},
           {"pressure_force", column(branch, &Row::pressure_force)},
           {"tension_force", column(branch, &Row::tension_force)},
-          {"capillary_force", column(branch, &Row::capillary_force)}};
+          {"capillary_force", column(branch, &Row::capillary_force)},
+          {"porosity", column(branch, &Row::porosity)},
+          {"stress_fluids", mean_column(branch, &Row::fluid_stress)},
+          {"stress_bridges", mean_column(branch, &Row::bridge_stress)},
+          {"bridges", column(branch, &Row::bridges)},
+          {"bridge_force", column(branch, &Row::bridge_force)},
+          {"bridge_saturation", column(branch, &Row::bridge_saturation)}};
 }
 
 json pictures_json(const ResultsFolder& folder, const std::string& stage) {
@@ -150,8 +160,11 @@ json unsaturated_rows(const UnsaturatedStage& s) {
   for (const double p : s.path) path += fmt::format("{}{}", path.empty() ? "" : " → ", in_print(p, "Pa"));
   std::string times;
   for (const double t : s.times) times += fmt::format("{}{}", times.empty() ? "" : " → ", in_print(t, "s"));
+  std::string steps;
+  for (const double p : s.step) steps += fmt::format("{}{}", steps.empty() ? "" : ", ", in_print(p, "Pa"));
   json rows = json::array({{"Path of p_c", path},
-                           s.times.empty() ? json{"Output step", in_print(s.step, "Pa")} : json{"Reached after", times},
+                           s.times.empty() ? json{"Output step", steps} : json{"Reached after", times},
+                           {"Start", s.start == UnsaturatedStage::Start::dry ? "dry" : "saturated"},
                            {"Air enters at", std::string(face_names[to_size(s.air)])},
                            {"Water leaves at", faces(s.water)}});
   if (s.stress) rows.push_back({"Loaded", fmt::format("{}, {}", faces(s.loaded), in_print(*s.stress, "Pa"))});

@@ -29,8 +29,9 @@ std::string unsaturated_line(const UnsaturatedRow& r) {
   line +=
       fmt::format(",{},{},{},{},{},{},{},{},{},{}", r.mean_force, r.mean_force_ratio, r.strong_share, spans, r.coordination,
                   r.contact_anisotropy, text_of(r.capillary_anisotropy), r.capillary_force, r.pressure_force, r.tension_force);
-  return line + fmt::format(",{},{},{},{},{},{},{}\n", r.trapped_wetting, r.trapped_nonwetting, r.wetting_error,
-                            r.nonwetting_error, r.rounds, r.remeshes, r.pores_changed);
+  return line + fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.trapped_wetting, r.trapped_nonwetting, r.wetting_error,
+                            r.nonwetting_error, r.rounds, r.remeshes, r.pores_changed, r.bridge_stress.x, r.bridge_stress.y,
+                            r.bridge_stress.z, r.bridges, r.bridge_force, r.bridge_saturation);
 }
 
 std::string swelling_line(const UnsaturatedRow& r, const SwellingRow& s) {

@@ -20,7 +20,8 @@ inline constexpr std::string_view unsaturated_header =
     "contact_stress_yy_Pa,contact_stress_zz_Pa,fluid_stress_xx_Pa,fluid_stress_yy_Pa,fluid_stress_zz_Pa,chi_contact,chi_fluid,"
     "mean_normal_force_N,mean_force_ratio,strong_contacts,chains_span,coordination,contact_anisotropy,capillary_anisotropy,"
     "capillary_force_N,pressure_force_N,tension_force_N,trapped_wetting,trapped_nonwetting,wetting_error,nonwetting_error,rounds,"
-    "remeshes,pores_changed\n";
+    "remeshes,pores_changed,bridge_stress_xx_Pa,bridge_stress_yy_Pa,bridge_stress_zz_Pa,bridges,bridge_force_N,"
+    "bridge_saturation\n";
 inline constexpr std::string_view swelling_header =
     "stage,time_s,pc_Pa,saturation,radius_mean_m,radius_least_m,radius_most_m,wetted,grown_m3,from_pores_m3,from_reservoirs_m3,"
     "water_error,porosity,mean_stress_Pa,deviatoric_stress_Pa,grain_deviator_mean_Pa,grain_deviator_deviation_Pa\n";

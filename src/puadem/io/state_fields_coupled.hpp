@@ -74,20 +74,21 @@ void fields(auto& a, Is<SwellingRow> auto& r) {
 }
 
 void fields(auto& a, Is<UnsaturatedState> auto& s) {
-  auto& [place, flow, forces, tension, capillary_pressure, void_listed, water_start, gas_start, remeshes, cells_renewed,
-         pores_changed, grain_steps, fluid_steps, grain_time, settling_steps, swelling] = s;
+  auto& [place, flow, forces, tension, capillary_pressure, void_listed, water_start, gas_start, bridge_water, remeshes,
+         cells_renewed, pores_changed, grain_steps, fluid_steps, grain_time, settling_steps, swelling] = s;
   each(a, "place flow forces tension capillary_pressure void_listed water_start gas_start remeshes cells_renewed pores_changed",
        place, flow, forces, tension, capillary_pressure, void_listed, water_start, gas_start, remeshes, cells_renewed,
        pores_changed);
-  each(a, "grain_steps fluid_steps grain_time settling_steps swelling", grain_steps, fluid_steps, grain_time, settling_steps,
-       swelling);
+  each(a, "grain_steps fluid_steps grain_time settling_steps swelling bridge_water", grain_steps, fluid_steps, grain_time,
+       settling_steps, swelling, bridge_water);
 }
 
 void fields(auto& a, Is<UnsaturatedRow> auto& r) {
   auto& [stage, branch, time, capillary_pressure, pc_star, saturation, strain, volume_strain, porosity, total_stress,
-         contact_stress, fluid_stress, chi_contact, chi_fluid, mean_force, mean_force_ratio, strong_share, chains_span,
-         coordination, contact_anisotropy, capillary_anisotropy, capillary_force, pressure_force, tension_force, trapped_wetting,
-         trapped_nonwetting, wetting_error, nonwetting_error, rounds, remeshes, pores_changed] = r;
+         contact_stress, bridge_stress, fluid_stress, chi_contact, chi_fluid, mean_force, mean_force_ratio, strong_share,
+         chains_span, coordination, contact_anisotropy, capillary_anisotropy, capillary_force, pressure_force, tension_force,
+         bridges, bridge_force, bridge_saturation, trapped_wetting, trapped_nonwetting, wetting_error, nonwetting_error, rounds,
+         remeshes, pores_changed] = r;
   each(a, "stage branch time capillary_pressure pc_star saturation strain volume_strain porosity total_stress contact_stress",
        stage, branch, time, capillary_pressure, pc_star, saturation, strain, volume_strain, porosity, total_stress,
        contact_stress);
@@ -97,6 +98,7 @@ void fields(auto& a, Is<UnsaturatedRow> auto& r) {
        contact_anisotropy, capillary_anisotropy, capillary_force, pressure_force, tension_force, trapped_wetting);
   each(a, "trapped_nonwetting wetting_error nonwetting_error rounds remeshes pores_changed", trapped_nonwetting, wetting_error,
        nonwetting_error, rounds, remeshes, pores_changed);
+  each(a, "bridge_stress bridges bridge_force bridge_saturation", bridge_stress, bridges, bridge_force, bridge_saturation);
 }
 
 void fields(auto& a, Is<ForceSpread> auto& spread) {
