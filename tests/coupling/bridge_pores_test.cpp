@@ -125,6 +125,24 @@ TEST(BridgePores, OnlyWetPoresPushOtherwiseThanTheGas) {
   EXPECT_GT(of_water, 10);
 }
 
+TEST(BridgePores, MayBeTakenInWhereTheGasLeavesTheWalls) {
+  DryBed bed(4e3);
+  bed.rest_at(700.0);
+  const TwoPhaseModel& model = *bed.cache.model;
+  const std::vector<char> dry = dry_pores(bed.network, model, bed.state.flow, std::numeric_limits<double>::infinity());
+  int with_gas = 0;
+  for (int p = 0; p < bed.network.pores(); ++p) {
+    if (!model.is_counted(p)) continue;
+    const bool holds = bed.state.flow.nonwetting.holds[to_size(p)];
+    // A bubble touches the walls while the capillary pressure is above the threshold of its pore.
+    const bool is_known = !holds || 700.0 > 1.001 * model.thresholds.unit[to_size(p)].threshold;
+    EXPECT_TRUE(!is_known || dry[to_size(p)] == static_cast<char>(holds));
+    with_gas += holds ? 1 : 0;
+  }
+  EXPECT_GT(with_gas, 10);
+  EXPECT_LT(with_gas, bed.network.pores() - 10);
+}
+
 TEST(BridgePores, WaterIsKeptThroughWettingAndDrying) {
   DryBed bed(4e3);
   const int dry = bed.bridges();

@@ -98,6 +98,14 @@ coalescence_saturation = 0.1
     EXPECT_THAT(s.step, ElementsAre(48e3, 100.0));
     EXPECT_EQ(one.bridges->coalescence_saturation, 0.1);
   }
+  EXPECT_EQ(parse_case(bed + "path = [\"0 Pa\"]\n[bridges]\ncontrol = \"suction\"\ncapillary_pressure = \"1 kPa\"\n"
+                             "coalescence_saturation = \"threshold\"\n",
+                       "case.toml", "/study")
+                .c.bridges->coalescence_saturation,
+            std::numeric_limits<double>::infinity());
+  // Where no stage loads the grains before, the fluids say it all.
+  EXPECT_FALSE(parse_case(bed + "path = [\"0 Pa\"]\n[bridges]\ncontrol = \"suction\"\n", "case.toml", "/study")
+                   .c.bridges->capillary_pressure);
   const std::string path = "path = [\"0 Pa\", \"1 kPa\", \"0 Pa\"]\n";
   expect_error(path + "step = [\"1 Pa\", \"2 Pa\", \"3 Pa\"]\n", "one for each leg of the path: 2, not 3");
   expect_error(path + "step = [\"1 kPa\", \"1e-3 Pa\"]\n", "steps along the path; at most 1e5");

@@ -1,6 +1,7 @@
 // Two fluids and grains that move each other: retention, strain, effective stress and forces against capillary pressure.
 import { element, number } from "./dom.js";
 import { figure, layout } from "./figure.js";
+import { collapseFigures } from "./collapse.js";
 import { swellingFigures } from "./swelling.js";
 import { air, grain, paint, swatch, water } from "./section.js";
 
@@ -11,6 +12,8 @@ const hover = "%{x:.4~g}, %{y:.4~g}<extra>%{fullData.name}</extra>";
 const curve = (x, y, name, color, more = {}) => ({ x, y, name, mode: "lines+markers", line: { color, width: 1.8 }, marker: { color, size: 5 }, hovertemplate: hover, ...more });
 const plain = (x, y, name, color, dash) => ({ x, y, name, mode: "lines", line: { color, width: 1.2, dash }, hoverinfo: "skip" });
 const star = "Capillary pressure <i>p</i><sub>c</sub>⟨<i>r</i>⟩/γ";
+// From dry the path spans decades; no capillary pressure at all is then off the axis.
+const pressureAxis = (stage) => [star, Math.max(...stage.branches.flatMap((b) => b.pc_star)) > 20 ? { type: "log", exponentformat: "power" } : { rangemode: "tozero" }];
 const colour = (k) => colours[k % colours.length];
 const rows = (stage, ...keys) => [["branch", ...keys], stage.branches.flatMap((b) => b.pc_star.map((_, k) => [b.name, ...keys.map((key) => b[key][k])]))];
 
@@ -26,14 +29,14 @@ function retention(stage, count) {
   const { shapes, text } = regimes(stage);
   return figure({ name: `unsaturated-retention-${stage.name}`, title: "Retention", size: "low",
     draw: () => ({ data: stage.branches.map((b, k) => curve(b.pc_star, b.saturation, b.name, colour(k))),
-      layout: layout([star, { rangemode: "tozero" }], ["Saturation <i>S</i><sub>r</sub>", { range: [-0.02, 1.04] }], { ...above, shapes }) }),
+      layout: layout(pressureAxis(stage), ["Saturation <i>S</i><sub>r</sub>", { range: [-0.02, 1.04] }], { ...above, shapes }) }),
     series: () => rows(stage, "pc", "pc_star", "saturation"), caption: caption(count, "a", `Equilibria of grains and fluids.${text}`) });
 }
 
 function strain(stage, count) {
   return figure({ name: `unsaturated-strain-${stage.name}`, title: "Strain", size: "low",
     draw: () => ({ data: stage.branches.map((b, k) => curve(b.pc_star, b.strain, b.name, colour(k))),
-      layout: layout([star, { rangemode: "tozero" }], [`Strain along ${stage.axis}`, { exponentformat: "power" }], { ...above, shapes: regimes(stage).shapes }) }),
+      layout: layout(pressureAxis(stage), [`Strain along ${stage.axis}`, { exponentformat: "power" }], { ...above, shapes: regimes(stage).shapes }) }),
     series: () => rows(stage, "pc_star", "strain", "volume_strain"), caption: caption(count, "b", "Shortening is positive; from rest at the first pressure.") });
 }
 
@@ -54,7 +57,7 @@ function bishop(stage, count) {
 function forces(stage, count) {
   return figure({ name: `unsaturated-forces-${stage.name}`, title: "Contact forces", size: "low",
     draw: () => ({ data: stage.branches.map((b, k) => curve(b.pc_star, b.force_ratio, b.name, colour(k))),
-      layout: layout([star, { rangemode: "tozero" }], ["Mean normal force over the first", {}], { ...above, shapes: regimes(stage).shapes }) }),
+      layout: layout(pressureAxis(stage), ["Mean normal force over the first", {}], { ...above, shapes: regimes(stage).shapes }) }),
     series: () => rows(stage, "pc_star", "force_ratio", "capillary_force", "pressure_force", "tension_force"),
     caption: caption(count, "d", "Mean normal force of the contacts between grains over that at the first pressure.") });
 }
@@ -63,7 +66,7 @@ function anisotropy(stage, count) {
   return figure({ name: `unsaturated-anisotropy-${stage.name}`, title: "Anisotropy", size: "low",
     draw: () => ({ data: stage.branches.flatMap((b, k) => [curve(b.pc_star, b.capillary_anisotropy, `fluids, ${b.name}`, colour(k)),
       curve(b.pc_star, b.contact_anisotropy, `contacts, ${b.name}`, colour(k), { line: { color: colour(k), width: 1.4, dash: "3px,3px" }, marker: { symbol: "circle-open", size: 6, color: colour(k) } })]),
-      layout: layout([star, { rangemode: "tozero" }], ["Anisotropy", { rangemode: "tozero" }], { ...above, shapes: regimes(stage).shapes }) }),
+      layout: layout(pressureAxis(stage), ["Anisotropy", { rangemode: "tozero" }], { ...above, shapes: regimes(stage).shapes }) }),
     series: () => rows(stage, "pc_star", "capillary_anisotropy", "contact_anisotropy"),
     caption: caption(count, "e", "Of the forces of the fluids on grains (filled) and of the contact normals (open).") });
 }
@@ -150,6 +153,7 @@ export function unsaturatedSections(stage, count) {
   const sections = [];
   const pressures = path.branches.flatMap((b) => b.pc);
   if (pressures.some((p) => p !== pressures[0])) sections.push([retention, strain, bishop, forces, anisotropy, spreads].map((draw) => draw(path, count)));
+  if (path.branches.some((b) => b.bridges.some((n) => n > 0))) sections.push(collapseFigures(path, count + sections.length));
   if (stage.swelling) sections.push(swellingFigures(stage, count + sections.length));
   if (strained) sections.push([deviators, volumes, strainedAnisotropy].map((draw) => draw(stage, strained, count + sections.length)));
   return { pictures: stage.pictures.length > 0 ? pictures(stage, count + sections.length) : null, figures: sections.flat(), used: sections.length + (stage.pictures.length > 0 ? 1 : 0) };

@@ -1,6 +1,7 @@
 #include "puadem/coupling/bridge_pores.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "puadem/base/compensated_sum.hpp"
@@ -75,6 +76,12 @@ double reservoir_saturation(const TwoPhaseModel& model, const TwoPhaseState& flo
   return pc > model.thresholds.unit[to_size(pore)].threshold ? local_saturation(model, flow.nonwetting, pore, pc) : 1.0;
 }
 
+/// Saturation from which a pore takes in the bridges around it.
+double limit_of(const TwoPhaseModel& model, const TwoPhaseState& flow, int pore, double coalescence) {
+  if (std::isfinite(coalescence)) return coalescence;
+  return local_saturation(model, flow.nonwetting, pore, model.thresholds.unit[to_size(pore)].threshold);
+}
+
 /// Edges whose pores are all dry.
 std::vector<std::array<int, 2>> dry_edges(const EdgePores& edges, const std::vector<char>& dry) {
   std::vector<std::array<int, 2>> ends;
@@ -131,10 +138,11 @@ std::vector<char> dry_pores(const PoreNetwork& network, const TwoPhaseModel& mod
   std::vector<char> dry(to_size(network.pores()));
   for (int p = 0; p < network.pores(); ++p) {
     const std::size_t at = to_size(p);
+    const double limit = limit_of(model, flow, p, coalescence);
     if (model.is_counted(p))
-      dry[at] = flow.nonwetting.holds[at] && flow.wetting_volume[at] < coalescence * network.pore_volume[at];
+      dry[at] = flow.nonwetting.holds[at] && flow.wetting_volume[at] < limit * network.pore_volume[at];
     else
-      dry[at] = flow.nonwetting.holds[at] || reservoir_saturation(model, flow, p) < coalescence;
+      dry[at] = flow.nonwetting.holds[at] || reservoir_saturation(model, flow, p) < limit;
   }
   return dry;
 }

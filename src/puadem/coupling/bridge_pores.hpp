@@ -19,7 +19,8 @@ inline constexpr double default_coalescence = 0.3;  ///< of a pore, near the sat
 struct PendularOptions {
   BridgeModel model;                                        ///< at given suction
   BridgeFormation formation = BridgeFormation::at_contact;  ///< of the first bridges
-  double coalescence = default_coalescence;                 ///< saturation from which a pore's water takes its bridges in [-]
+  /// Saturation from which a pore's water takes its bridges in; infinite: that at which the gas touches its walls no more [-].
+  double coalescence = default_coalescence;
 };
 
 /// Edges of the triangulation with the pore units around them. Ends as in GrainBridges: grains, or a grain and a wall.

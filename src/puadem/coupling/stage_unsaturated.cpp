@@ -22,7 +22,8 @@ namespace puadem {
 
 namespace {
 
-constexpr double frozen_share = 0.5;  // of the longest time over which the fluids' forces may stay frozen
+constexpr double frozen_share = 0.5;           // of the longest time over which the fluids' forces may stay frozen
+constexpr double front_change_at_rest = 0.02;  // of a step of the fluids: to where they come to rest its length matters little
 
 /// A stage under way.
 struct Unsaturated {
@@ -50,6 +51,7 @@ UnsaturatedOptions options_of(const Case& c, const UnsaturatedStage& stage, cons
   options.flow.corner_films = stage.corner_films;
   options.flow.snap_off = stage.snap_off;
   options.flow.retention_law = stage.retention_law;
+  if (stage.times.empty()) options.flow.steps.front_change = front_change_at_rest;
   options.network = c.pores;
   options.network.contact_angle = c.fluids.contact_angle;
   options.air = stage.air;

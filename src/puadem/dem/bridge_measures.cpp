@@ -65,6 +65,12 @@ Tensor bridge_stress(const GrainSystem& s) {
 
 double bridge_energy(const GrainSystem& s) { return rupture_work(s.bridges->model, bridges_now(s)); }
 
+std::vector<Vec3> bridge_pulls(const GrainSystem& s) {
+  std::vector<Vec3> pull(to_size(s.owned));
+  for (int k = 0; k < s.owned; ++k) pull[to_size(s.identity[to_size(k)])] = bridge_pull_on(s, k);
+  return pull;
+}
+
 std::vector<GrainBridge> bridges_of(const GrainSystem& s) {
   const Bridges now = bridges_now(s);
   std::vector<GrainBridge> list(to_size(now.size()));

@@ -37,6 +37,9 @@ struct GrainBridge {
   double capillary_pressure = 0.0;  ///< [Pa]
 };
 
+/// What all its bridges pull each grain with, by identity [N].
+std::vector<Vec3> bridge_pulls(const GrainSystem& system);
+
 /// All bridges in the order of their ends.
 std::vector<GrainBridge> bridges_of(const GrainSystem& system);
 

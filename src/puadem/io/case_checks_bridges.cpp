@@ -11,7 +11,12 @@ namespace {
 
 constexpr std::array<const char*, 3> amounts{"water_content", "saturation", "volume"};
 
-void check_amounts(const TomlValue& bridges, const BridgeCase& b, Problems& problems) {
+bool loads(const Stage& stage) {
+  return std::visit([](const auto& s) { return is_loading<std::decay_t<decltype(s)>>; }, stage);
+}
+
+void check_amounts(const TomlValue& bridges, const Case& c, Problems& problems) {
+  const BridgeCase& b = *c.bridges;
   const auto place = [&](std::string_view key) {
     const TomlValue* value = bridges.find(key);
     return value != nullptr ? value->key_place : bridges.key_place;
@@ -29,7 +34,8 @@ void check_amounts(const TomlValue& bridges, const BridgeCase& b, Problems& prob
     else if (given == 2)
       problems.error(place(key), "bridges.water_content, bridges.saturation and bridges.volume exclude each other; keep one");
   }
-  if (at_suction && bridges.find("capillary_pressure") == nullptr)
+  const bool is_wet_before_loading = c.stages.empty() || std::ranges::any_of(c.stages, loads);
+  if (at_suction && bridges.find("capillary_pressure") == nullptr && is_wet_before_loading)
     problems.error(
         bridges.key_place,
         "missing key bridges.capillary_pressure: the suction of all bridges; write capillary_pressure = \"10 kPa\", or "
@@ -59,7 +65,7 @@ void check_bridges(const TomlValue& tree, const Case& c, Problems& problems) {
   const TomlValue* bridges = tree.find("bridges");
   if (bridges == nullptr || bridges->kind != TomlValue::Kind::table || !c.bridges) return;
   if (std::ranges::none_of(problems.errors, [](const auto& e) { return e.key.starts_with("bridges"); }))
-    check_amounts(*bridges, *c.bridges, problems);
+    check_amounts(*bridges, c, problems);
   const auto is_unsaturated = [](const Stage& stage) { return std::holds_alternative<UnsaturatedStage>(stage); };
   for (const Stage& stage : c.stages)
     if (couples(stage) && !is_unsaturated(stage))
@@ -70,12 +76,10 @@ void check_bridges(const TomlValue& tree, const Case& c, Problems& problems) {
   if (with_fluids && c.bridges->control == BridgeControl::volume)
     problems.error(bridges->key_place,
                    "[bridges] have the suction of the fluids around them in a stage \"unsaturated-flow\": write control = "
-                   "\"suction\" and the capillary_pressure of the stages before it");
+                   "\"suction\", and the capillary_pressure of stages before it that load the grains");
   if (const TomlValue* key = bridges->find("coalescence_saturation"); key != nullptr && !with_fluids)
     problems.error(key->key_place, "bridges.coalescence_saturation is used in a stage \"unsaturated-flow\" only; remove it");
-  const auto acts = [&](const Stage& stage) {
-    return is_unsaturated(stage) || std::visit([](const auto& s) { return is_loading<std::decay_t<decltype(s)>>; }, stage);
-  };
+  const auto acts = [&](const Stage& stage) { return is_unsaturated(stage) || loads(stage); };
   if (!c.stages.empty() && std::ranges::none_of(c.stages, acts))
     problems.error(bridges->key_place,
                    "[bridges] acts in stages that load the grains, of which there is none; add one, such as \"isotropic\"");

@@ -5,6 +5,16 @@ namespace puadem {
 
 namespace {
 
+KeyInfo coalescence_key() {
+  KeyInfo info = noted(number("coalescence_saturation", inside(0, 1),
+                              "in a stage unsaturated-flow: saturation from which a pore takes in the bridges around it; "
+                              "\"threshold\": that at which its gas touches its walls no more",
+                              between(0.01, 0.9)),
+                       "0.3");
+  info.word_for_infinity = "threshold";
+  return info;
+}
+
 /// A key that is written only where bridges keep their volume.
 Field<BridgeCase> of_given_volume(Field<BridgeCase> field) {
   field.write = [write = field.write](const BridgeCase& b) {
@@ -20,7 +30,7 @@ const Section<BridgeCase>& bridges_section() {
                  "what a bridge keeps while its ends move: the suction, as if joined to much more water, or its volume"),
           &BridgeCase::control),
       bind<BridgeCase>(noted(quantity("capillary_pressure", "Pa", above(0), between(10, 1e7), R"("10 kPa")",
-                                      "of all bridges, with control = \"suction\""),
+                                      "of all bridges, with control = \"suction\", in stages that load the grains"),
                              "required there"),
                        &BridgeCase::capillary_pressure),
       bind<BridgeCase>(noted(number("water_content", Interval{0, 1, true, false},
@@ -51,10 +61,7 @@ const Section<BridgeCase>& bridges_section() {
                                          "how a ruptured bridge leaves its water to its grains: in halves, or divided at "
                                          "its neck"),
                                   &BridgeCase::split)),
-      bind<BridgeCase>(
-          number("coalescence_saturation", inside(0, 1),
-                 "in a stage unsaturated-flow: saturation from which a pore takes in the bridges around it", between(0.01, 0.9)),
-          &BridgeCase::coalescence_saturation),
+      bind<BridgeCase>(coalescence_key(), &BridgeCase::coalescence_saturation),
       of_given_volume(bind_choice<BridgeCase>(
           choice(
               "exchange", {"neighbours", "films"},

@@ -78,11 +78,11 @@ json pictures_json(const ResultsFolder& folder, const std::string& stage) {
   return pictures;
 }
 
-/// Spreads at full saturation, in the middle and at the end of the first branch.
+/// Spreads at the start, in the middle and at the end of the first branch.
 json spreads_json(const UnsaturatedRecord& record, std::size_t end) {
   json spreads = json::array();
   std::vector<std::size_t> chosen{0};
-  for (const double s : {0.5, 0.0}) {
+  for (const double s : {0.5, record.rows.front().saturation > 0.5 ? 0.0 : 1.0}) {
     std::size_t best = chosen.back();
     for (std::size_t k = 0; k < end; ++k)
       if (std::abs(record.rows[k].saturation - s) < std::abs(record.rows[best].saturation - s)) best = k;

@@ -23,6 +23,7 @@ VtkPolyData grain_fields(const State& state) {
     data.point_data.push_back({"tension_force", state.unsaturated->tension});
   }
   if (!state.grains || !state.grains->is_evaluated) return data;
+  if (state.grains->bridges) data.point_data.push_back({"bridge_force", bridge_pulls(*state.grains)});
   GrainStresses g = grain_stresses(*state.grains);
   std::vector<double> speed(p.radius.size());
   for (int k = 0; k < p.size(); ++k) speed[to_size(k)] = norm(p.velocity[to_size(k)]);
