@@ -8,6 +8,7 @@
 #include "puadem/coupling/flow_record.hpp"
 #include "puadem/coupling/history.hpp"
 #include "puadem/flow/invasion.hpp"
+#include "puadem/geometry/domain.hpp"
 
 namespace puadem {
 
@@ -84,6 +85,8 @@ struct UnsaturatedProgress {
   double interval = 0.0;                                ///< longest of that motion [s]
   int time_rows = 0;                                    ///< due no more
   double saturation_before = 2.0, strain_before = 0.0;  ///< a round ago
+  std::vector<Vec3> first_centre;                       ///< of the grains, at the first row [m]
+  Domain first_domain;                                  ///< then
 };
 
 /// Where a run stands in its stages: with the rest of the state, all that it needs to go on.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "puadem/base/vec3.hpp"
+#include "puadem/coupling/pore_space_record.hpp"
 #include "puadem/flow/retention_law.hpp"
 
 namespace puadem {
@@ -110,8 +111,12 @@ struct UnsaturatedRecord {
   std::string stage;
   int axis = 2;  ///< of the strain: that of the first loaded face, else z
   std::vector<UnsaturatedRow> rows;
-  std::vector<ForceSpread> spreads;   ///< one for each row
-  std::vector<SwellingRow> swelling;  ///< the same, where grains swell; else empty
+  std::vector<ForceSpread> spreads;      ///< one for each row
+  std::vector<SwellingRow> swelling;     ///< the same, where grains swell; else empty
+  std::vector<PoreSpaceRow> pore_space;  ///< one for each row
+  std::vector<double> pore_density;      ///< probability densities of all classes of those
+  std::array<int, 3> blocks{};           ///< along x, y, z; x runs fastest
+  std::vector<LocalBlock> local;         ///< all blocks of the first row, of the second, ...
 };
 
 }  // namespace puadem

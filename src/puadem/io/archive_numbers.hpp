@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "puadem/base/compensated_sum.hpp"
+#include "puadem/base/gaussian_mixture.hpp"
 #include "puadem/base/vec3.hpp"
 #include "puadem/dem/grain_system.hpp"
 #include "puadem/flow/invasion.hpp"
@@ -57,6 +58,7 @@ struct AllDoubles {
 // clang-format off
 template <> struct Numbers<Vec3> : AllDoubles<Vec3> {};
 template <> struct Numbers<CompensatedSum> : AllDoubles<CompensatedSum> {};
+template <> struct Numbers<NormalPart> : AllDoubles<NormalPart> {};
 template <> struct Numbers<LaneVec3> : AllDoubles<LaneVec3> {};
 template <> struct Numbers<GrainRecord> : AllDoubles<GrainRecord> {};
 template <> struct Numbers<ContactSlot> : AllDoubles<ContactSlot> {};

@@ -288,10 +288,11 @@ void fields(auto& a, Is<SaturatedProgress> auto& at) {
 
 void fields(auto& a, Is<UnsaturatedProgress> auto& at) {
   auto& [began, mean_radius, first_force, start_size, stop, round, strain_rate, strain_rows, motion_began, interval, time_rows,
-         saturation_before, strain_before] = at;
+         saturation_before, strain_before, first_centre, first_domain] = at;
   each(a, "began mean_radius first_force start_size stop round strain_rate strain_rows motion_began interval time_rows", began,
        mean_radius, first_force, start_size, stop, round, strain_rate, strain_rows, motion_began, interval, time_rows);
-  each(a, "saturation_before strain_before", saturation_before, strain_before);
+  each(a, "saturation_before strain_before first_centre first_domain", saturation_before, strain_before, first_centre,
+       first_domain);
 }
 
 void fields(auto& a, Is<RunPosition> auto& position) {

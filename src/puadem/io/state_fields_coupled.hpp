@@ -11,6 +11,10 @@ template <>
 inline constexpr bool is_row<SaturatedRow> = true;
 template <>
 inline constexpr bool is_row<PressureLayer> = true;
+template <>
+inline constexpr bool is_row<PoreSpaceRow> = true;
+template <>
+inline constexpr bool is_row<LocalBlock> = true;
 
 // Grains and one fluid.
 
@@ -106,9 +110,26 @@ void fields(auto& a, Is<ForceSpread> auto& spread) {
   each(a, "contact capillary", contact, capillary);
 }
 
+void fields(auto& a, Is<PoreSizes> auto& sizes) {
+  auto& [samples, mean, deviation, parts, part, first_class, density_begin, classes] = sizes;
+  each(a, "samples mean deviation parts part first_class density_begin classes", samples, mean, deviation, parts, part,
+       first_class, density_begin, classes);
+}
+
+void fields(auto& a, Is<PoreSpaceRow> auto& row) {
+  auto& [pore_radius, throat_radius, porosity] = row;
+  each(a, "pore_radius throat_radius porosity", pore_radius, throat_radius, porosity);
+}
+
+void fields(auto& a, Is<LocalBlock> auto& block) {
+  auto& [grains, porosity, saturation, displacement] = block;
+  each(a, "grains porosity saturation displacement", grains, porosity, saturation, displacement);
+}
+
 void fields(auto& a, Is<UnsaturatedRecord> auto& record) {
-  auto& [stage, axis, rows, spreads, swelling] = record;
-  each(a, "stage axis rows spreads swelling", stage, axis, rows, spreads, swelling);
+  auto& [stage, axis, rows, spreads, swelling, pore_space, pore_density, blocks, local] = record;
+  each(a, "stage axis rows spreads swelling pore_space pore_density blocks local", stage, axis, rows, spreads, swelling,
+       pore_space, pore_density, blocks, local);
 }
 
 }  // namespace puadem
