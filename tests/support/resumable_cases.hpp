@@ -16,7 +16,7 @@ struct ResumableCase {
   int interval;  ///< of its safe places that are worth a copy
 };
 
-inline void PrintTo(const ResumableCase& c, std::ostream* out) { *out << c.name; }
+inline void PrintTo(const ResumableCase &c, std::ostream *out) { *out << c.name; }
 
 inline Case grains_of(int count, Vec3 shape) {
   Case c;
@@ -181,7 +181,7 @@ struct Outcome {
 };
 
 /// The same numbers everywhere: results, places, fluids, records.
-inline void expect_same_run(const Outcome& a, const Outcome& b) {
+inline void expect_same_run(const Outcome &a, const Outcome &b) {
   EXPECT_EQ(a.results.scalars, b.results.scalars);
   EXPECT_EQ(a.state.time, b.state.time);
   EXPECT_EQ(a.state.particles.position, b.state.particles.position);
@@ -243,6 +243,21 @@ inline void expect_same_run(const Outcome& a, const Outcome& b) {
       EXPECT_EQ(one[r].strain, other[r].strain);
       EXPECT_EQ(one[r].contact_stress, other[r].contact_stress);
       EXPECT_EQ(one[r].wetting_error, other[r].wetting_error);
+    }
+    const UnsaturatedRecord &left = a.state.unsaturated_flows[k], &right = b.state.unsaturated_flows[k];
+    EXPECT_EQ(left.pore_density, right.pore_density);
+    EXPECT_EQ(left.blocks, right.blocks);
+    ASSERT_EQ(left.pore_space.size(), one.size());
+    ASSERT_EQ(right.pore_space.size(), one.size());
+    for (std::size_t r = 0; r < one.size(); ++r) {
+      EXPECT_EQ(left.pore_space[r].porosity.part, right.pore_space[r].porosity.part);
+      EXPECT_EQ(left.pore_space[r].throat_radius.mean, right.pore_space[r].throat_radius.mean);
+    }
+    ASSERT_EQ(left.local.size(), right.local.size());
+    EXPECT_FALSE(left.local.empty());
+    for (std::size_t r = 0; r < left.local.size(); ++r) {
+      EXPECT_EQ(left.local[r].porosity, right.local[r].porosity);
+      EXPECT_EQ(left.local[r].displacement, right.local[r].displacement);
     }
   }
   ASSERT_EQ(a.state.unsaturated.has_value(), b.state.unsaturated.has_value());

@@ -3,6 +3,7 @@ import { distributionFigures } from "./distributions.js";
 import { element, label, number, table } from "./dom.js";
 import { loadingSections } from "./loading.js";
 import { permeabilitySection } from "./permeability.js";
+import { poreSpaceSection } from "./pore_space.js";
 import { fitTable, loopTable, retentionFigure } from "./retention.js";
 import { saturatedFigures } from "./saturated.js";
 import { flowSection } from "./two_phase.js";
@@ -103,6 +104,10 @@ function build() {
     next += used;
     figures.push(...drawn);
     page.append(section(data.unsaturated.length > 1 ? `Grains and two fluids, ${stage.name}` : "Grains and two fluids", grid("pair", drawn.map((f) => f.node)), pictures));
+    const pores = poreSpaceSection(stage, next);
+    next += pores.maps ? 2 : 1;
+    figures.push(...pores.figures);
+    page.append(section(data.unsaturated.length > 1 ? `Pore space, ${stage.name}` : "Pore space", grid("pair", pores.figures.map((f) => f.node)), pores.maps));
   }
   if (runs.some((run) => run.pore.low.length > 0)) {
     const pair = distributionFigures(runs, next);

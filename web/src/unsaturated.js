@@ -3,7 +3,7 @@ import { element, number } from "./dom.js";
 import { figure, layout } from "./figure.js";
 import { collapseFigures } from "./collapse.js";
 import { swellingFigures } from "./swelling.js";
-import { air, grain, paint, swatch, water } from "./section.js";
+import { air, arrows, grain, paint, swatch, water } from "./section.js";
 
 const colours = ["#1f5fa8", "#168a83", "#d1561b", "#7a4a80"], ink = "#1a2330", grey = "#8a939d";
 const above = { legend: { ...layout([""], [""]).legend, orientation: "h", x: 0, y: 1.02, xanchor: "left", yanchor: "bottom" }, margin: { l: 66, r: 12, t: 42, b: 48 } };
@@ -86,33 +86,12 @@ function spreads(stage, count) {
     caption: caption(count, "f", "Normal forces of contacts (solid) and forces of the fluids on grains (dashed), each over its mean.") });
 }
 
-/** Arrows of the fluids' forces on the grains of a picture; the longest of all pictures is two cells of a grid of 14. */
-function drawArrows(canvas, picture, longest) {
-  const context = canvas.getContext("2d"), scale = (2 / 14) * picture.columns / longest;
-  context.strokeStyle = context.fillStyle = ink;
-  context.lineWidth = 0.9;
-  picture.across.forEach((x, k) => {
-    const from = [x / picture.pixel, picture.rows - picture.up[k] / picture.pixel];
-    const way = [picture.force_across[k] * scale, -picture.force_up[k] * scale], size = Math.hypot(...way);
-    if (size < 1.5) return;
-    const to = [from[0] + way[0], from[1] + way[1]], head = Math.min(4, 0.4 * size), angle = Math.atan2(way[1], way[0]);
-    context.beginPath();
-    context.moveTo(...from);
-    context.lineTo(...to);
-    context.stroke();
-    context.beginPath();
-    context.moveTo(...to);
-    for (const turn of [2.65, -2.65]) context.lineTo(to[0] + head * Math.cos(angle + turn), to[1] + head * Math.sin(angle + turn));
-    context.fill();
-  });
-}
-
 function pictures(stage, count) {
   const longest = Math.max(...stage.pictures.flatMap((p) => p.force_across.map((f, k) => Math.hypot(f, p.force_up[k]))));
   const drawn = stage.pictures.map((p) => {
     const canvas = element("canvas", { role: "img", "aria-label": `saturation and forces at S = ${number(p.saturation, 3)}` });
     paint(canvas, p, p.picture);
-    drawArrows(canvas, p, longest);
+    arrows(canvas, p, p.force_across, p.force_up, longest);
     return element("div", {}, canvas, element("div", { class: "note" }, `S = ${number(p.saturation, 3)}, p`, element("sub", {}, "c"), `* = ${number(p.pc_star, 3)}`));
   });
   const { columns, rows, pixel, axis } = stage.pictures[0];

@@ -8,6 +8,7 @@
 #include "puadem/coupling/case_bridges.hpp"
 #include "puadem/coupling/checked_network.hpp"
 #include "puadem/coupling/loading_program.hpp"
+#include "puadem/coupling/pore_space.hpp"
 #include "puadem/coupling/ready_grains.hpp"
 #include "puadem/coupling/saturated_step.hpp"
 #include "puadem/coupling/stages.hpp"
@@ -129,6 +130,7 @@ void write_row(Unsaturated& u, const std::string& branch) {
     set_wetting(u.state.network, *u.cache.model, u.fluids().flow, centre, u.state.particles.radius, u.grains().domain, swelling);
     u.record().swelling.push_back(swelling_row(u.grains(), u.state.network, u.state.particles, u.fluids().swelling));
   }
+  record_pore_space(*u.cache.model, u.state);
   u.state.saturation = saturation(u.state.network, u.fluids().flow);
   if (u.observer.unsaturated) u.observer.unsaturated(u.state, u.record().rows.back());
 }
@@ -304,6 +306,7 @@ void run_unsaturated_stage(const Case& c, int index, State& state, const Observe
   release_forces(u.grains());
   if (u.grains().bridges) u.grains().bridges->rules.by_pores = false;
   describe_unsaturated(u.record(), u.fluids(), results);
+  describe_pore_space(u.record(), results);
   tell_end(u);
 }
 

@@ -9,7 +9,7 @@
 namespace puadem {
 
 /// Version of what checkpoints hold; it changes with every change of a member.
-inline constexpr int checkpoint_format = 2;
+inline constexpr int checkpoint_format = 3;
 
 /// Writes state and results of a run at a safe place into an HDF5 file, beside its place first and then renamed: a
 /// file of this name is whole.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "puadem/coupling/pore_space.hpp"
 #include "puadem/io/recording_parts.hpp"
 #include "puadem/io/series_coupled.hpp"
 #include "puadem/io/vtk_fields.hpp"
@@ -17,13 +18,25 @@ constexpr int most_pictures = 6;         // of a stage
 void take_picture(ResultsFolder& folder, const State& state, const UnsaturatedRow& row) {
   auto& pictures = folder.unsaturated_pictures;
   const auto is_of_stage = [&](const UnsaturatedPicture& p) { return p.stage == row.stage; };
-  if (std::ranges::count_if(pictures, is_of_stage) >= most_pictures) return;
-  const bool is_first = pictures.empty() || !is_of_stage(pictures.back());
-  if (!is_first && std::abs(pictures.back().saturation - row.saturation) < picture_change) return;
   const SectionMap map = cut_section(state, picture_width);
   if (map.planes > 1) return;  // seen through its thickness, a box has no plane to draw grains in
-  pictures.push_back({row.stage, row.saturation, row.pc_star, map.axis, map.columns, map.rows, map.pixel,
-                      section_picture(map, state.saturation), cut_grains(state, map, state.unsaturated->forces.grain)});
+  UnsaturatedPicture picture;
+  picture.stage = row.stage;
+  picture.row = size_of(state.unsaturated_flows.back().rows) - 1;
+  picture.saturation = row.saturation;
+  picture.pc_star = row.pc_star;
+  picture.axis = map.axis;
+  picture.columns = map.columns;
+  picture.rows = map.rows;
+  picture.pixel = map.pixel;
+  picture.bytes = section_picture(map, state.saturation);
+  picture.grains = cut_grains(state, map, state.unsaturated->forces.grain, displacements_of(state)->total);
+  // The last row is always shown: its picture gives way to that of the next.
+  if (!pictures.empty() && is_of_stage(pictures.back()) && pictures.back().gives_way) pictures.pop_back();
+  const bool is_first = pictures.empty() || !is_of_stage(pictures.back());
+  picture.gives_way = !is_first && (std::abs(pictures.back().saturation - row.saturation) < picture_change ||
+                                    std::ranges::count_if(pictures, is_of_stage) >= most_pictures - 1);
+  pictures.push_back(std::move(picture));
 }
 
 void write_unsaturated_fields(ResultsFolder& folder, const Case& c, const State& state, double time) {
@@ -53,6 +66,13 @@ void record_unsaturated(ResultsFolder& folder, const Case& c, const State& state
     swollen.append(swelling_line(row, swelling.back()));
     swollen.flush();
   }
+  const UnsaturatedRecord& record = state.unsaturated_flows.back();
+  AppendFile& pores = series(folder, folder.pore_space, "pore_space.csv", pore_space_header);
+  pores.append(pore_space_lines(row, record.pore_space.back()));
+  pores.flush();
+  AppendFile& local = series(folder, folder.local_porosity, "local_porosity.csv", local_porosity_header);
+  local.append(local_porosity_lines(record, size_of(record.rows) - 1));
+  local.flush();
   folder.has_result = true;
   if (row.time) return record_moment(folder, c, state, row);
   record_message(folder, fmt::format("{}: {}: p_c = {:.6g} Pa, S = {:.6f}, strain {:.4g}, {} rounds", row.stage, row.branch,

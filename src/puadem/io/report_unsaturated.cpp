@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "puadem/coupling/pore_space.hpp"
 #include "puadem/coupling/unsaturated_results.hpp"
 #include "puadem/geometry/domain.hpp"
 #include "puadem/io/report_column.hpp"
@@ -64,7 +65,8 @@ json pictures_json(const ResultsFolder& folder, const std::string& stage) {
   json pictures = json::array();
   for (const UnsaturatedPicture& p : folder.unsaturated_pictures)
     if (p.stage == stage)
-      pictures.push_back({{"saturation", p.saturation},
+      pictures.push_back({{"row", p.row},
+                          {"saturation", p.saturation},
                           {"pc_star", p.pc_star},
                           {"axis", std::string(1, "xyz"[p.axis])},
                           {"columns", p.columns},
@@ -74,7 +76,10 @@ json pictures_json(const ResultsFolder& folder, const std::string& stage) {
                           {"across", column(p.grains, &CutGrain::across)},
                           {"up", column(p.grains, &CutGrain::up)},
                           {"force_across", column(p.grains, &CutGrain::force_across)},
-                          {"force_up", column(p.grains, &CutGrain::force_up)}});
+                          {"force_up", column(p.grains, &CutGrain::force_up)},
+                          {"radius", column(p.grains, &CutGrain::radius)},
+                          {"moved_across", column(p.grains, &CutGrain::moved_across)},
+                          {"moved_up", column(p.grains, &CutGrain::moved_up)}});
   return pictures;
 }
 
@@ -93,6 +98,50 @@ json spreads_json(const UnsaturatedRecord& record, std::size_t end) {
                        {"contact", record.spreads[k].contact},
                        {"capillary", record.spreads[k].capillary}});
   return spreads;
+}
+
+json sizes_json(const UnsaturatedRecord& record, const PoreSizes& sizes, int per_unit) {
+  json parts = json::array();
+  for (int k = 0; k < sizes.parts; ++k) {
+    const NormalPart& p = sizes.part[to_size(k)];
+    parts.push_back({{"weight", p.weight}, {"mean", p.mean}, {"deviation", p.deviation}});
+  }
+  const auto begin = record.pore_density.begin() + sizes.density_begin;
+  return {{"samples", sizes.samples},
+          {"mean", sizes.mean},
+          {"deviation", sizes.deviation},
+          {"parts", std::move(parts)},
+          {"first", sizes.first_class},
+          {"per_unit", per_unit},
+          {"density", std::vector<double>(begin, begin + sizes.classes)}};
+}
+
+json local_json(const UnsaturatedRecord& record, int row) {
+  const LocalChange change = local_change(record, row);
+  return {{"saturation", change.saturation},
+          {"porosity_change", change.porosity_change},
+          {"wet", json_of(change.wet)},
+          {"dry", json_of(change.dry)},
+          {"correlation", json_of(change.correlation)}};
+}
+
+/// Sizes at telling rows; blocks at those and at the rows that have pictures.
+json pore_space_json(const ResultsFolder& folder, const UnsaturatedRecord& record) {
+  json sizes = json::array(), blocks = json::object();
+  const auto [pores, throats, units] = pore_space_classes;
+  for (const int row : telling_rows(record)) {
+    const PoreSpaceRow& p = record.pore_space[to_size(row)];
+    sizes.push_back({{"row", row},
+                     {"saturation", record.rows[to_size(row)].saturation},
+                     {"pc", record.rows[to_size(row)].capillary_pressure},
+                     {"pore_radius", sizes_json(record, p.pore_radius, pores)},
+                     {"throat_radius", sizes_json(record, p.throat_radius, throats)},
+                     {"porosity", sizes_json(record, p.porosity, units)}});
+    blocks[std::to_string(row)] = local_json(record, row);
+  }
+  for (const UnsaturatedPicture& p : folder.unsaturated_pictures)
+    if (p.stage == record.stage) blocks[std::to_string(p.row)] = local_json(record, p.row);
+  return {{"counts", record.blocks}, {"rows", std::move(sizes)}, {"blocks", std::move(blocks)}};
 }
 
 /// Swelling grains in time.
@@ -144,6 +193,7 @@ json unsaturated_json(const ResultsFolder& folder, const State& state) {
                       {"branches", std::move(branches)},
                       {"swelling", swelling_json(record)},
                       {"pictures", pictures_json(folder, record.stage)},
+                      {"pore_space", pore_space_json(folder, record)},
                       {"spreads", spreads_json(record, first_end)}});
   }
   return stages;

@@ -106,10 +106,10 @@ void write_summary(ResultsFolder& folder, const Case& c, const State& state, con
 }  // namespace
 
 std::vector<AppendFile*> append_files(ResultsFolder& folder) {
-  return {&folder.log,         &folder.progress,  &folder.retention,        &folder.events,
-          &folder.compaction,  &folder.history,   &folder.pressure,         &folder.flow,
-          &folder.flow_events, &folder.saturated, &folder.pressure_profile, &folder.unsaturated,
-          &folder.swelling};
+  return {&folder.log,         &folder.progress,   &folder.retention,        &folder.events,
+          &folder.compaction,  &folder.history,    &folder.pressure,         &folder.flow,
+          &folder.flow_events, &folder.saturated,  &folder.pressure_profile, &folder.unsaturated,
+          &folder.swelling,    &folder.pore_space, &folder.local_porosity};
 }
 
 double wall_seconds(const ResultsFolder& folder) {

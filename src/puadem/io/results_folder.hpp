@@ -25,6 +25,8 @@ struct FlowPicture {
 /// The same at a row of a stage "unsaturated-flow", with the grains in the section.
 struct UnsaturatedPicture {
   std::string stage;
+  int row = 0;              ///< of the stage's
+  bool gives_way = false;   ///< to the picture of the next row
   double saturation = 1.0;  ///< of the whole [-]
   double pc_star = 0.0;     ///< p_c <r> / gamma [-]
   int axis = 2, columns = 0, rows = 0;
@@ -78,7 +80,7 @@ struct ResultsFolder : RecordingMemory {
   std::string previous_latest;         ///< what `latest` pointed to before; empty: nothing
   bool linked = false;                 ///< `latest` was set to this run
   AppendFile log, progress, retention, events, compaction, history, pressure, flow, flow_events;  ///< opened when first needed
-  AppendFile saturated, pressure_profile, unsaturated, swelling;                                  ///< the same
+  AppendFile saturated, pressure_profile, unsaturated, swelling, pore_space, local_porosity;      ///< the same
   std::optional<SectionMap> section;                                                              ///< of the pictures
   int section_pores = 0;  ///< of the network it was cut from
   std::chrono::steady_clock::time_point last_progress{};

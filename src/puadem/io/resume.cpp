@@ -30,14 +30,15 @@ template <>
 inline constexpr bool is_row<CutGrain> = true;
 
 void fields(auto& a, Is<CutGrain> auto& grain) {
-  auto& [across, up, radius, force_across, force_up] = grain;
-  each(a, "across up radius force_across force_up", across, up, radius, force_across, force_up);
+  auto& [across, up, radius, force_across, force_up, moved_across, moved_up] = grain;
+  each(a, "across up radius force_across force_up moved_across moved_up", across, up, radius, force_across, force_up,
+       moved_across, moved_up);
 }
 
 void fields(auto& a, Is<UnsaturatedPicture> auto& picture) {
-  auto& [stage, saturation, pc_star, axis, columns, rows, pixel, bytes, grains] = picture;
-  each(a, "stage saturation pc_star axis columns rows pixel bytes grains", stage, saturation, pc_star, axis, columns, rows, pixel,
-       bytes, grains);
+  auto& [stage, row, gives_way, saturation, pc_star, axis, columns, rows, pixel, bytes, grains] = picture;
+  each(a, "stage row gives_way saturation pc_star axis columns rows pixel bytes grains", stage, row, gives_way, saturation,
+       pc_star, axis, columns, rows, pixel, bytes, grains);
 }
 
 void fields(auto& a, Is<FlowPicture> auto& picture) {

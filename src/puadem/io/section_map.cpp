@@ -151,7 +151,8 @@ std::string section_picture(const SectionMap& map, const std::vector<double>& sa
   return text;
 }
 
-std::vector<CutGrain> cut_grains(const State& state, const SectionMap& map, const std::vector<Vec3>& force) {
+std::vector<CutGrain> cut_grains(const State& state, const SectionMap& map, const std::vector<Vec3>& force,
+                                 const std::vector<Vec3>& displacement) {
   const int across = (map.axis + 1) % 3, up = (map.axis + 2) % 3;
   const Vec3 lower = state.domain.lower;
   const double plane = 0.5 * (lower[map.axis] + state.domain.upper[map.axis]);
@@ -160,7 +161,8 @@ std::vector<CutGrain> cut_grains(const State& state, const SectionMap& map, cons
     const Vec3 place = state.particles.position[k] - lower;
     const double off = place[map.axis] + lower[map.axis] - plane, r = state.particles.radius[k];
     if (std::abs(off) < r)
-      cut.push_back({place[across], place[up], std::sqrt(r * r - off * off), force[k][across], force[k][up]});
+      cut.push_back({place[across], place[up], std::sqrt(r * r - off * off), force[k][across], force[k][up],
+                     displacement[k][across], displacement[k][up]});
   }
   return cut;
 }

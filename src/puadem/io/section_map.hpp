@@ -24,14 +24,16 @@ SectionMap cut_section(const State& state, int columns);
 /// One byte a pixel in Base64: 255 where all planes are in grains, else 254 times the mean saturation of the others, rounded.
 std::string section_picture(const SectionMap& map, const std::vector<double>& saturation);
 
-/// A grain that the picture's plane cuts, and the force of the fluids on it, both in the picture's directions.
+/// A grain that the picture's plane cuts, the force of the fluids on it and how far it has gone, in the picture's directions.
 struct CutGrain {
   double across = 0.0, up = 0.0;              ///< from the lower corner [m]
   double radius = 0.0;                        ///< of the cut [m]
   double force_across = 0.0, force_up = 0.0;  ///< [N]
+  double moved_across = 0.0, moved_up = 0.0;  ///< [m]
 };
 
-/// The grains in the plane of a map of one plane, with forces by identity [N].
-std::vector<CutGrain> cut_grains(const State& state, const SectionMap& map, const std::vector<Vec3>& force);
+/// The grains in the plane of a map of one plane, with forces [N] and displacements [m] by identity.
+std::vector<CutGrain> cut_grains(const State& state, const SectionMap& map, const std::vector<Vec3>& force,
+                                 const std::vector<Vec3>& displacement);
 
 }  // namespace puadem

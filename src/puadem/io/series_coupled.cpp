@@ -2,11 +2,18 @@
 
 #include <fmt/format.h>
 
+#include "puadem/coupling/pore_space.hpp"
+
 namespace puadem {
 
 namespace {
 
 std::string text_of(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
+
+/// Which row a line belongs to.
+std::string row_name(const UnsaturatedRow& r) {
+  return fmt::format("{},{},{},{},{}", r.stage, r.branch, text_of(r.time), r.capillary_pressure, r.saturation);
+}
 
 }  // namespace
 
@@ -39,6 +46,35 @@ std::string swelling_line(const UnsaturatedRow& r, const SwellingRow& s) {
                      r.saturation, s.radius_mean, s.radius_least, s.radius_most, s.wetted, s.grown, s.from_pores,
                      s.from_reservoirs, s.water_error, r.porosity, s.mean_stress, s.deviatoric_stress, s.grain_deviator_mean,
                      s.grain_deviator_deviation);
+}
+
+std::string pore_space_lines(const UnsaturatedRow& row, const PoreSpaceRow& pores) {
+  std::string lines;
+  const auto add = [&](std::string_view quantity, const PoreSizes& sizes) {
+    for (int k = 0; k < sizes.parts; ++k) {
+      const NormalPart& part = sizes.part[to_size(k)];
+      lines += fmt::format("{},{},{},{},{},{},{},{},{}\n", row_name(row), quantity, sizes.samples, sizes.mean, sizes.deviation,
+                           k + 1, part.weight, part.mean, part.deviation);
+    }
+  };
+  add("pore_radius", pores.pore_radius);
+  add("throat_radius", pores.throat_radius);
+  add("unit_porosity", pores.porosity);
+  return lines;
+}
+
+std::string local_porosity_lines(const UnsaturatedRecord& record, int row) {
+  const auto [nx, ny, nz] = record.blocks;
+  const auto first = blocks_of(record, 0), now = blocks_of(record, row);
+  std::string lines;
+  for (int b = 0; b < size_of(now); ++b) {
+    const LocalBlock& block = now[to_size(b)];
+    const Vec3 &moved = block.displacement, at{(b % nx + 0.5) / nx, (b / nx % ny + 0.5) / ny, (b / nx / ny + 0.5) / nz};
+    lines +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", row_name(record.rows[to_size(row)]), at.x, at.y, at.z, block.grains,
+                    block.porosity, block.porosity - first[to_size(b)].porosity, block.saturation, moved.x, moved.y, moved.z);
+  }
+  return lines;
 }
 
 std::string pressure_profile_lines(const SaturatedRecord& record, const PressureProfile& profile) {

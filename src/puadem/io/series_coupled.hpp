@@ -26,9 +26,19 @@ inline constexpr std::string_view swelling_header =
     "stage,time_s,pc_Pa,saturation,radius_mean_m,radius_least_m,radius_most_m,wetted,grown_m3,from_pores_m3,from_reservoirs_m3,"
     "water_error,porosity,mean_stress_Pa,deviatoric_stress_Pa,grain_deviator_mean_Pa,grain_deviator_deviation_Pa\n";
 
+inline constexpr std::string_view pore_space_header =
+    "stage,branch,time_s,pc_Pa,saturation,quantity,samples,mean,deviation,part,weight,part_mean,part_deviation\n";
+inline constexpr std::string_view local_porosity_header =
+    "stage,branch,time_s,pc_Pa,saturation,x,y,z,grains,local_porosity,porosity_change,local_saturation,displacement_x_m,"
+    "displacement_y_m,displacement_z_m\n";
+
 std::string saturated_line(const SaturatedRow& row);
 std::string unsaturated_line(const UnsaturatedRow& row);
 std::string swelling_line(const UnsaturatedRow& row, const SwellingRow& swelling);
+/// Long: a line for each part of the mixture of each quantity.
+std::string pore_space_lines(const UnsaturatedRow& row, const PoreSpaceRow& pores);
+/// A line for each block, whose middle is given as fractions of the box.
+std::string local_porosity_lines(const UnsaturatedRecord& record, int row);
 std::string pressure_profile_lines(const SaturatedRecord& record, const PressureProfile& profile);
 
 }  // namespace puadem

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "puadem/coupling/pore_space.hpp"
 #include "puadem/dem/bridge_measures.hpp"
 #include "puadem/dem/contacts.hpp"
 #include "puadem/dem/grain_stress.hpp"
@@ -22,6 +23,7 @@ VtkPolyData grain_fields(const State& state) {
     data.point_data.push_back({"fluid_force", state.unsaturated->forces.grain});
     data.point_data.push_back({"tension_force", state.unsaturated->tension});
   }
+  if (auto moved = displacements_of(state)) data.point_data.push_back({"displacement", std::move(moved->total)});
   if (!state.grains || !state.grains->is_evaluated) return data;
   if (state.grains->bridges) data.point_data.push_back({"bridge_force", bridge_pulls(*state.grains)});
   GrainStresses g = grain_stresses(*state.grains);
@@ -100,6 +102,8 @@ VtkPolyData pore_fields(const State& state) {
                      {"saturation", std::move(saturation)},
                      {"faces", std::vector<std::int64_t>(n.pore_faces.begin(), n.pore_faces.end())},
                      {"wall", std::move(wall)}};
+  if (std::holds_alternative<UnsaturatedProgress>(state.position.progress))
+    data.point_data.push_back({"porosity", unit_porosities(n, present_cells(state))});
   return data;
 }
 

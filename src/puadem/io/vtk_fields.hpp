@@ -9,7 +9,8 @@ namespace puadem {
 
 /// Grains as points with `radius` [m] and `material`; where the grain engine runs also `speed` [m/s], `mean_stress` and
 /// `deviatoric_stress` on the power cell [Pa], `contacts` (walls included) and `cell_volume` [m3]; where two fluids push them
-/// the vectors `fluid_force` and, of it, `tension_force`, what menisci in throats make [N].
+/// the vectors `fluid_force` and, of it, `tension_force`, what menisci in throats make [N], and `displacement` since the first
+/// row of the stage under way [m].
 VtkPolyData grain_fields(const State& state);
 
 /// Contacts as lines from centre to centre, or from the foot on a wall: `normal_force` and `shear_force` [N], `wall`
@@ -23,7 +24,8 @@ VtkPolyData contact_fields(const State& state);
 VtkPolyData bridge_fields(const State& state);
 
 /// Pores as points at their centres with `radius` [m], `volume` [m3], `saturation` [-] (1 before the
-/// first equilibrium), `faces` and `wall` (1 at a wall of the box).
+/// first equilibrium), `faces` and `wall` (1 at a wall of the box); in stages "unsaturated-flow" also `porosity`, void of the
+/// unit over the volume of its cells [-].
 VtkPolyData pore_fields(const State& state);
 
 /// Throats as lines between the centres of their pores: `radius` [m] on the points, so that tubes have
