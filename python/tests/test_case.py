@@ -67,13 +67,13 @@ def test_values_become_toml():
         toml(None)
 
 
-def long_case(packing):
-    """A thousand small pressure steps, each a place to go on from."""
-    return packing.case({"kind": "retention", "path": [1000, 0], "step": 2}, fluids={"surface_tension": 0.07})
+def small_steps(packing, step):
+    """Imbibition in small pressure steps [Pa], each a place to go on from."""
+    return packing.case({"kind": "retention", "path": [1000, 0], "step": step}, fluids={"surface_tension": 0.07})
 
 
 def test_an_interrupted_run_goes_on_to_the_same_end(beads, workplace):
-    case = long_case(beads.packing())
+    case = small_steps(beads.packing(), 2)
     whole = case.run("whole")
     run = case.run("parts", time_limit=0.05)
     assert run.interrupted
@@ -93,7 +93,7 @@ except KeyboardInterrupt:
 
 def test_ctrl_c_leaves_a_run_that_can_go_on(beads, workplace):
     (workplace / "packing").mkdir()
-    case = long_case(beads.packing())
+    case = small_steps(beads.packing(), 0.01)  # far longer than it may run
     for file in case.path.parent.iterdir():
         (workplace / "packing" / file.name).write_text(file.read_text())
     python = subprocess.Popen([sys.executable, "-c", SCRIPT], stdout=subprocess.PIPE, text=True)
