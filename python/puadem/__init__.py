@@ -11,8 +11,9 @@ from .packing import Packing
 from .polydata import PolyData, read_polydata
 from .program import InputError, NumericalError, version
 from .results import Frame, Run
+from .sweep import product, sweep
 
 __all__ = [
-    "Case", "Frame", "InputError", "Network", "NumericalError", "Packing", "PolyData", "Run", "read_polydata", "templates",
-    "version",
+    "Case", "Frame", "InputError", "Network", "NumericalError", "Packing", "PolyData", "Run", "product", "read_polydata", "sweep",
+    "templates", "version",
 ]

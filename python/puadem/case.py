@@ -5,7 +5,7 @@ import os
 import pathlib
 import re
 import tempfile
-from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Union
 
 from .program import INTERRUPTED, NumericalError, PHYSICS_STOPPED, call
 from .results import Run
@@ -78,12 +78,13 @@ class Case:
         case._folder = self._folder
         return case
 
-    def _arguments(self) -> List[str]:
+    def arguments(self) -> List[str]:
+        """The case as the program's command line names it."""
         return [os.fspath(self.path)] + [a for key, value in self.keys.items() for a in ("--set", f"{key}={toml(value)}")]
 
     def check(self) -> str:
         """What the case will do, without running it. Raises InputError with all its errors at once."""
-        done = call(["check", *self._arguments()])
+        done = call(["check", *self.arguments()])
         return done.stderr + done.stdout
 
     def run(self, output: Optional[PathLike] = None, threads: int = 0, time_limit: Optional[float] = None,
@@ -97,7 +98,7 @@ class Case:
 
         Raises InputError, and NumericalError, whose `run` holds what is on disk. Ctrl-C leaves a checkpoint.
         """
-        return run_verb("run", self._arguments(), output, threads, time_limit, show_progress)
+        return run_verb("run", self.arguments(), output, threads, time_limit, show_progress)
 
 
 def run_verb(verb: str, arguments: List[str], output: Optional[PathLike], threads: int, time_limit: Optional[float],

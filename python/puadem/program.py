@@ -37,19 +37,29 @@ def program() -> str:
     return found
 
 
+def start(arguments: Sequence[str], show_progress: bool = False) -> "subprocess.Popen[str]":
+    """Starts the program. `interrupt` stops it so that a run writes its checkpoint."""
+    # A session of its own: the terminal would send Ctrl-C as well, and a second one ends the program at once.
+    return subprocess.Popen([program(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                            stderr=None if show_progress else subprocess.PIPE, text=True, start_new_session=True)
+
+
+def interrupt(process: "subprocess.Popen[str]") -> None:
+    """Asks a run to stop and waits until it has."""
+    process.send_signal(signal.SIGINT)
+    process.communicate()
+
+
 def call(arguments: Sequence[str], show_progress: bool = False) -> "subprocess.CompletedProcess[str]":
     """Runs the program to its end and raises what its exit code says; codes 2 and 3 of a run are left to the caller.
 
     Ctrl-C is passed on once, so that a run writes its checkpoint before KeyboardInterrupt is raised.
     """
-    # A session of its own: the terminal would send Ctrl-C as well, and a second one ends the program at once.
-    process = subprocess.Popen([program(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                               stderr=None if show_progress else subprocess.PIPE, text=True, start_new_session=True)
+    process = start(arguments, show_progress)
     try:
         out, err = process.communicate()
     except BaseException:
-        process.send_signal(signal.SIGINT)
-        process.communicate()
+        interrupt(process)
         raise
     if process.returncode == WRONG_INPUT:
         raise InputError(message_of(err))

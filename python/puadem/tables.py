@@ -3,7 +3,7 @@
 import csv
 import os
 import pathlib
-from typing import Dict, List, Union
+from typing import Dict, List, Sequence, Union
 
 import numpy as np
 
@@ -30,11 +30,15 @@ def numbers_or_text(fields: List[str]) -> np.ndarray:
         return np.array(fields, dtype=str)
 
 
-def read_table(path: Union[str, "os.PathLike[str]"]) -> np.ndarray:
-    """A table as a structured array (rows,): `table["pc_Pa"]` is a column, `table[0]` a row."""
+def read_table(path: Union[str, "os.PathLike[str]"], text: Sequence[str] = ()) -> np.ndarray:
+    """A table as a structured array (rows,): `table["pc_Pa"]` is a column, `table[0]` a row.
+
+    text  columns that are text even where all their fields look like numbers or are empty
+    """
     if not pathlib.Path(path).is_file():
         raise InputError(f"{path}: no such table")
-    columns = {name: numbers_or_text(fields) for name, fields in read_columns(path).items()}
+    columns = {name: np.array(fields, dtype=str) if name in text else numbers_or_text(fields)
+               for name, fields in read_columns(path).items()}
     rows = len(next(iter(columns.values())))
     table = np.empty(rows, dtype=[(name, column.dtype) for name, column in columns.items()])
     for name, column in columns.items():
