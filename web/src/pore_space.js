@@ -6,7 +6,11 @@ import { arrows, ramp } from "./section.js";
 const colours = ["#d1561b", "#6b7480", "#1f5fa8"], ink = "#1a2330";
 const above = { legend: { ...layout([""], [""]).legend, orientation: "h", x: 0, y: 1.02, xanchor: "left", yanchor: "bottom" }, margin: { l: 66, r: 12, t: 42, b: 48 } };
 const caption = (count, letter, ...text) => element("figcaption", {}, element("b", {}, `Figure ${count}${letter}. `), ...text);
-const colour = (rows, k) => (k === rows.length - 1 ? colours[2] : colours[k]);
+/** The driest row has the first colour, the wettest the last. */
+function colour(rows, k) {
+  const drier = rows.filter((row, j) => row.saturation < rows[k].saturation || (row.saturation === rows[k].saturation && j < k)).length;
+  return drier === rows.length - 1 ? colours[2] : colours[drier];
+}
 const name = (row) => `S = ${row.saturation.toFixed(2)}`;
 const sign = (value, digits) => (value > 0 ? "+" : "") + number(value, digits);
 
