@@ -163,6 +163,7 @@ void follow_grains(const UnsaturatedOptions& options, GrainSystem& grains, Parti
                    UnsaturatedState& state, UnsaturatedCache& cache) {
   const double time = slow * cache.model->time_scale;
   state.flow.time_step = time;
+  state.flow.time = 0.0;  // counts for nothing here, and the interval would be rounded beside a long one
   follow_grains(options, time, {}, grains, particles, network, state, cache);
 }
 
