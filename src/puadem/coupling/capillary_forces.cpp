@@ -32,6 +32,7 @@ std::vector<Vec3> tension_forces(const PoreNetwork& network, const PushedAreas& 
                                  int grains) {
   PushedAreas menisci;
   menisci.throat = areas.throat_void;
+  menisci.bearer = areas.bearer;
   return pressure_forces(network, menisci, pressure, {}, grains).grain;
 }
 

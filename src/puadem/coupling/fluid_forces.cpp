@@ -45,6 +45,7 @@ PushedAreas pushed_areas(const PoreNetwork& network, const PackingSites& sites_o
   PushedAreas areas;
   areas.throat.resize(to_size(network.throats()));
   areas.throat_void.resize(to_size(network.throats()));
+  areas.bearer.resize(to_size(network.throats()));
   std::vector<Vec3> centre(to_size(network.triangulation.cells()));
   if (share == ThroatShare::surface)
     parallel_for(network.triangulation.cells(), [&](int c) {
@@ -66,6 +67,7 @@ PushedAreas pushed_areas(const PoreNetwork& network, const PackingSites& sites_o
       whole = solid[0] + solid[1] + solid[2];
     }
     for (unsigned k = 0; k < 3; ++k) {
+      areas.bearer[to_size(t)][k] = vertices[k].index;
       const double sector = sites[k].is_wall ? 0.0 : 0.5 * sites[k].radius * sites[k].radius * section.side[k].extent;
       areas.throat_void[to_size(t)][k] = solid[k] / whole * section.void_area;
       areas.throat[to_size(t)][k] = sector + areas.throat_void[to_size(t)][k];
@@ -80,15 +82,19 @@ FluidForces pressure_forces(const PoreNetwork& network, const PushedAreas& areas
   assert(size_of(pressure) == network.pores());
   FluidForces forces;
   forces.grain.resize(to_size(grains));
+  const bool jumps = jump != Vec3{};
   for (int t = 0; t < network.throats(); ++t) {
     const auto [i, j] = network.throat_pores[to_size(t)];
-    const auto& s = network.throat_shift[to_size(t)];
-    const double drop = pressure[to_size(i)] - pressure[to_size(j)] - dot(jump, Vec3{1.0 * s[0], 1.0 * s[1], 1.0 * s[2]});
-    const auto vertices = network.throat_vertices(t);
+    double drop = pressure[to_size(i)] - pressure[to_size(j)];
+    if (jumps) {
+      const auto& s = network.throat_shift[to_size(t)];
+      drop -= dot(jump, Vec3{1.0 * s[0], 1.0 * s[1], 1.0 * s[2]});
+    }
+    const Vec3 push = drop * network.throat_normal[to_size(t)];
     for (unsigned k = 0; k < 3; ++k) {
-      const Vertex& v = vertices[k];
+      const Vertex v{areas.bearer[to_size(t)][k]};
       Vec3& force = v.is_wall() ? forces.wall[to_size(v.face())] : forces.grain[to_size(v.index)];
-      force += drop * areas.throat[to_size(t)][k] * network.throat_normal[to_size(t)];
+      force += areas.throat[to_size(t)][k] * push;
     }
   }
   for (const auto& [pore, face, area] : areas.wall)

@@ -26,6 +26,7 @@ struct PushedAreas {
   std::vector<std::array<double, 3>> throat;
   /// Of that the share of the void: with `ThroatShare::contact_line` what menisci make of a jump of pressure [m2].
   std::vector<std::array<double, 3>> throat_void;
+  std::vector<std::array<int, 3>> bearer;  ///< per throat and vertex: `Vertex::index`
   struct Patch {
     int pore, face;
     double area;  ///< of a pore on a wall of the box [m2]

@@ -1,17 +1,18 @@
 #include "puadem/geometry/cell_voids.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "puadem/geometry/cell.hpp"
 #include "puadem/geometry/cell_match.hpp"
 
-// The loop is compiled twice, and the loader takes what the machine can do.
+// The loop is compiled for several machines, and the loader takes what the machine can do.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define PUADEM_TWICE __attribute__((target_clones("arch=x86-64-v3", "default")))
+#define PUADEM_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
-#define PUADEM_TWICE
+#define PUADEM_CLONES
 #endif
 
 namespace puadem {
@@ -39,7 +40,7 @@ inline double arc_tangent_over(double s) {
   return sum;
 }
 
-PUADEM_TWICE void angles(const double* y, const double* x, double* angle, int count) {
+PUADEM_CLONES void angles(const double* y, const double* x, double* angle, int count) {
   constexpr double pi = std::numbers::pi, tan_pi_8 = std::numbers::sqrt2 - 1.0;
   for (int k = 0; k < count; ++k) {
     const double across = std::abs(x[k]);
@@ -63,23 +64,23 @@ struct Chunk {
   Row volume;       ///< six times the oriented volume [m3]
   Row across;       ///< its size
   Row along[4];     ///< what stands under it in the arc tangent of each corner (theory 3.3) [m3]
-  Row angle;
+  Row angle, space;
 };
 
-void put(Chunk& at, int c, const std::array<Site, 4>& sites) {
-  for (unsigned k = 0; k < 4; ++k) {
-    for (unsigned axis = 0; axis < 3; ++axis) at.place[k][axis][c] = sites[k].centre[static_cast<int>(axis)];
-    at.cube[k][c] = sites[k].radius * sites[k].radius * sites[k].radius;
-  }
+void put(Chunk& at, int c, unsigned k, const Vec3& centre, double radius) {
+  at.place[k][0][c] = centre.x;
+  at.place[k][1][c] = centre.y;
+  at.place[k][2][c] = centre.z;
+  at.cube[k][c] = radius * radius * radius;
 }
 
 /// Stands for a cell with walls, which is done on its own.
 void put_nothing(Chunk& at, int c) {
-  put(at, c,
-      {Site::grain({0, 0, 0}, 0.0), Site::grain({1, 0, 0}, 0.0), Site::grain({0, 1, 0}, 0.0), Site::grain({0, 0, 1}, 0.0)});
+  constexpr Vec3 corner[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (unsigned k = 0; k < 4; ++k) put(at, c, k, corner[k], 0.0);
 }
 
-PUADEM_TWICE void set_corners(Chunk& at, int count) {
+PUADEM_CLONES void set_corners(Chunk& at, int count) {
   for (int c = 0; c < count; ++c) {
     double edge[6][3], squared[6], length[6];  // 01 02 03 12 13 23
     constexpr unsigned from[6] = {0, 0, 0, 1, 1, 2}, to[6] = {1, 2, 3, 2, 3, 3};
@@ -93,6 +94,7 @@ PUADEM_TWICE void set_corners(Chunk& at, int count) {
                           edge[0][2] * (edge[1][0] * edge[2][1] - edge[1][1] * edge[2][0]);
     at.volume[c] = volume;
     at.across[c] = std::abs(volume);
+    at.space[c] = at.across[c] / 6.0;
     // Of each corner the edges that meet in it, and behind each of them the one between the other two.
     constexpr unsigned near[4][3] = {{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}};
     constexpr unsigned far[4][3] = {{5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3, 1, 0}};
@@ -103,6 +105,11 @@ PUADEM_TWICE void set_corners(Chunk& at, int count) {
                        0.5 * (squared[i] + squared[j] - squared[far[k][2]]) * length[l];
     }
   }
+}
+
+/// Takes the sector of a grain from the space of its cells.
+PUADEM_CLONES void take_corner(Chunk& at, unsigned k, int count) {
+  for (int c = 0; c < count; ++c) at.space[c] -= at.cube[k][c] * (2.0 / 3.0) * at.angle[c];
 }
 
 }  // namespace
@@ -119,29 +126,29 @@ CellVoids cell_voids(const Triangulation& triangulation, const PackingSites& sit
   parallel_for(chunks, [&](int chunk) {
     Chunk at;
     const int begin = chunk * cells_per_chunk, count = std::min(cells - begin, cells_per_chunk);
-    const auto has_wall = [&](int c) {
-      return std::ranges::any_of(triangulation.vertices[to_size(begin + c)], [](const Vertex& v) { return v.is_wall(); });
-    };
+    std::array<bool, cells_per_chunk> has_wall;
     for (int c = 0; c < count; ++c) {
       const auto cell = to_size(begin + c);
-      const auto sites = sites_of(triangulation.vertices[cell]);
-      if (!has_wall(c)) {
-        put(at, c, sites);
+      const auto& vertices = triangulation.vertices[cell];
+      has_wall[to_size(c)] = vertices[0].is_wall();  // walls come first
+      if (!has_wall[to_size(c)]) {
+        for (unsigned k = 0; k < 4; ++k) put(at, c, k, sites_of.centre_of(vertices[k]), sites_of.radius_of(vertices[k]));
         continue;
       }
       put_nothing(at, c);
+      const auto sites = sites_of(vertices);
       voids.space[cell] = cell_void_volume(sites);
       voids.orientation[cell] = cell_orientation(sites);
     }
     set_corners(at, count);
-    for (int c = 0; c < count; ++c) {
-      if (has_wall(c)) continue;
-      voids.space[to_size(begin + c)] = at.across[c] / 6.0;
-      voids.orientation[to_size(begin + c)] = static_cast<std::int8_t>((at.volume[c] > 0.0) - (at.volume[c] < 0.0));
-    }
     for (unsigned k = 0; k < 4; ++k) {
       angles(at.across, at.along[k], at.angle, count);
-      for (int c = 0; c < count; ++c) voids.space[to_size(begin + c)] -= at.cube[k][c] * (2.0 / 3.0) * at.angle[c];
+      take_corner(at, k, count);
+    }
+    for (int c = 0; c < count; ++c) {
+      if (has_wall[to_size(c)]) continue;
+      voids.space[to_size(begin + c)] = at.space[c];
+      voids.orientation[to_size(begin + c)] = static_cast<std::int8_t>((at.volume[c] > 0.0) - (at.volume[c] < 0.0));
     }
   });
   return voids;

@@ -22,8 +22,12 @@ class PackingSites {
 
   Site operator()(const Vertex& v) const {
     if (v.is_wall()) return walls_[to_size(v.face())];
-    return Site::grain(centre_[to_size(v.index)] + translation(v.shift), radius_[to_size(v.index)]);
+    return Site::grain(centre_of(v), radius_of(v));
   }
+
+  /// Of a vertex that is a grain [m].
+  Vec3 centre_of(const Vertex& v) const { return centre_[to_size(v.index)] + translation(v.shift); }
+  double radius_of(const Vertex& v) const { return radius_[to_size(v.index)]; }
 
   template <std::size_t N>
   std::array<Site, N> operator()(const std::array<Vertex, N>& vertices) const {
