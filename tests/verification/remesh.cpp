@@ -157,7 +157,7 @@ int bits_changed_at_rest(int count, int remeshes) {
   const TwoPhaseState fluids = bed.fluids.flow;
   const FluidForces forces = bed.fluids.forces;
   for (int k = 0; k < remeshes; ++k) carry_to_new_network(bed.network.tetrahedron_void, bed);
-  set_fluid_forces(bed.network, bed.particles, bed.grains, bed.fluids, bed.cache);
+  set_fluid_forces(bed.options, bed.network, bed.particles, bed.grains, bed.fluids, bed.cache);
   int changed = 0;
   const auto compare = [&](const auto& now, const auto& then) {
     changed += now.size() != then.size();
