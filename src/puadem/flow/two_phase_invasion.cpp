@@ -10,8 +10,11 @@ namespace puadem {
 
 namespace {
 
-/// Invasions due within this share of a step are taken together.
-constexpr double together = 0.5;
+/// Invasions due within this share of a step are taken together where they are far from each other ...
+constexpr double together = 0.1;
+/// ... by more throats than this. Gas that enters a pore lifts the pressures around it, and others are then not due any more:
+/// taken at once, those of half a step made S(t) differ by up to 0.1 between steps of different lengths.
+constexpr int near = 3;
 
 /// May gas leave a pore for a throat?
 bool may_leave(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseTrial& trial, int i) {
@@ -34,41 +37,37 @@ bool has_outlet(const PoreNetwork& network, const TwoPhaseModel& model, const Tw
   return false;
 }
 
-/// Share of the step at which a throat's pressure difference passed its threshold; 0 where it had before, or where gas has
-/// only come to it within the step.
-double crossing(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state, int throat, int from,
-                int into, double threshold, double at_end) {
-  if (!state.nonwetting.holds[to_size(from)]) return 0.0;
+/// Share of the step at which a throat's pressure difference passed its threshold, but not before gas came to it; 0 where both
+/// were so before.
+double crossing(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state, const TwoPhaseTrial& trial,
+                int throat, int from, int into, double threshold, double at_end) {
+  const double gas = state.nonwetting.holds[to_size(from)]
+                         ? state.nonwetting_pressure[to_size(from)] -
+                               hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[to_size(from)])
+                         : trial.nonwetting[to_size(from)];
   const double at_start = pressure_across(
-      network, model, throat,
-      state.nonwetting_pressure[to_size(from)] - hydrostatic(model, FluidPhase::nonwetting, network.pore_centre[to_size(from)]),
+      network, model, throat, gas,
       state.wetting_pressure[to_size(into)] - hydrostatic(model, FluidPhase::wetting, network.pore_centre[to_size(into)]));
-  return at_start >= threshold ? 0.0 : (threshold - at_start) / (at_end - at_start);
+  const double passed = at_start >= threshold ? 0.0 : (threshold - at_start) / (at_end - at_start);
+  return std::max(passed, trial.entered[to_size(from)]);
 }
 
 double threshold_of(const TwoPhaseModel& model, int throat, int into) {
   return std::max(model.thresholds.entry_pressure[to_size(throat)], model.thresholds.body_pressure[to_size(into)]);
 }
 
-/// Gas that enters a pore lifts its wetting fluid to the pressure of its body, and with it that of the pores around, which are
-/// then perhaps not due any more. Leaves those out that are not, by the lift of their neighbours alone: they would refill
-/// within the step, and if they are due after all, they are found when it is solved anew.
-void keep_lasting(const TwoPhaseModel& model, std::span<const double> conductance, std::vector<PoreInvasion>& due) {
-  std::vector<double> lift(model.links.start.size() - 1);
-  std::vector<std::uint8_t> entered(lift.size());
+/// Of pores that are near each other leaves only the first; the others are found again if they are still due.
+void keep_apart(const TwoPhaseModel& model, std::vector<PoreInvasion>& due) {
+  std::vector<std::uint8_t> is_near(model.links.start.size() - 1);
   std::erase_if(due, [&](const PoreInvasion& invasion) {
-    const std::size_t into = to_size(invasion.into);
-    if (entered[into]) return false;
-    double sum = 0.0, lifted = 0.0;
-    for (const auto [neighbour, t] : model.links[invasion.into]) {
-      sum += conductance[to_size(t)];
-      lifted += conductance[to_size(t)] * lift[to_size(neighbour)];
-    }
-    const double body = model.thresholds.body_pressure[into];
-    const double threshold = threshold_of(model, invasion.throat, invasion.into);
-    if (lifted > 0.0 && invasion.pressure - lifted / sum <= threshold) return true;
-    entered[into] = 1;
-    lift[into] = invasion.pressure - body;
+    if (is_near[to_size(invasion.into)]) return true;
+    std::vector<int> around{invasion.into};
+    std::size_t next = 0;
+    for (int ring = 0; ring < near; ++ring)
+      for (const std::size_t end = around.size(); next < end; ++next)
+        for (const auto [neighbour, t] : model.links[around[next]])
+          if (std::ranges::find(around, neighbour) == around.end()) around.push_back(neighbour);
+    for (const int pore : around) is_near[to_size(pore)] = 1;
     return false;
   });
 }
@@ -76,7 +75,7 @@ void keep_lasting(const TwoPhaseModel& model, std::span<const double> conductanc
 }  // namespace
 
 std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
-                                         std::span<const double> conductance, const TwoPhaseTrial& trial) {
+                                         const TwoPhaseTrial& trial) {
   std::vector<PoreInvasion> due;
   const auto& holds = trial.nonwetting_clusters.holds;
   double first = 1.0;
@@ -88,7 +87,7 @@ std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPh
     const double threshold = threshold_of(model, t, into);
     const double pressure = pressure_across(network, model, t, trial.nonwetting[to_size(from)], trial.wetting[to_size(into)]);
     if (pressure <= threshold || !has_outlet(network, model, trial, t, into)) continue;
-    due.push_back({t, from, into, pressure, crossing(network, model, state, t, from, into, threshold, pressure)});
+    due.push_back({t, from, into, pressure, crossing(network, model, state, trial, t, from, into, threshold, pressure)});
     first = std::min(first, due.back().crossing);
   }
   std::erase_if(due, [&](const PoreInvasion& invasion) { return invasion.crossing > first + together; });
@@ -96,7 +95,7 @@ std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPh
   std::ranges::stable_sort(due, {}, [&](const PoreInvasion& invasion) {
     return std::pair(invasion.crossing, threshold_of(model, invasion.throat, invasion.into) - invasion.pressure);
   });
-  keep_lasting(model, conductance, due);
+  keep_apart(model, due);
   return due;
 }
 

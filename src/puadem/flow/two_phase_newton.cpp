@@ -156,6 +156,7 @@ void start_newton(Newton& n) {
   trial.wetting_clusters = state.wetting;
   trial.nonwetting_clusters = state.nonwetting;
   trial.filling.resize(to_size(network.pores()));
+  trial.entered.resize(to_size(network.pores()));
   for (auto* v : {&n.law_pressure, &n.capacitance, &n.predicted, &trial.wetting_outflow, &trial.nonwetting_outflow})
     v->resize(to_size(network.pores()));
   for (int i = 0; i < network.pores(); ++i) {

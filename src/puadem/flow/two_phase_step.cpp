@@ -190,6 +190,7 @@ void invade(Newton& n, const PoreInvasion& invasion) {
         open(t, neighbour);
     }
     trial.nonwetting[into] = potential;
+    trial.entered[into] = invasion.crossing;
     trial.invasions.push_back(invasion);
   }
   if (!trial.nonwetting_clusters.passes[to_size(invasion.throat)]) open(invasion.throat, invasion.from);
@@ -232,7 +233,7 @@ TwoPhaseTrial try_two_phase_step(const PoreNetwork& network, const TwoPhaseModel
     if (exact) trial.converged = go_by_flows(n) && trial.converged;
     trial.change = change_of(n);
     if (!trial.converged || trial.change.front > (exact ? 1.0 : not_yet_entered) * most_change) return trial;
-    const std::vector<PoreInvasion> invasions = next_invasions(network, model, state, n.throat.wetting, trial);
+    const std::vector<PoreInvasion> invasions = next_invasions(network, model, state, trial);
     for (const PoreInvasion& invasion : invasions) invade(n, invasion);
     const bool was_exact = exact;
     exact = invasions.empty();

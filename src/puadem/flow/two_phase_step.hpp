@@ -42,6 +42,7 @@ struct TwoPhaseTrial {
   double expansion = 0.0;  ///< of cut-off ideal gas in the step [m3]
   FluidClusters wetting_clusters, nonwetting_clusters;  ///< where the fluids stand, invasions of the step included
   std::vector<PoreInvasion> invasions;                  ///< in their order
+  std::vector<double> entered;                          ///< per pore: share of the step at which gas entered, or 0 [-]
   std::vector<double> wetting_volume;                   ///< [m3]
   std::vector<double> wetting, nonwetting;              ///< potentials per pore [Pa]
   std::vector<PoreFilling> filling;
@@ -74,9 +75,8 @@ void note_cut_off_gas(const PoreNetwork& network, const TwoPhaseModel& model, st
 
 /// Pores that gas enters next in a step whose end is known so far: of all that are due, those whose threshold was passed
 /// first, together with whatever was passed at nearly the same time (theory 6.4).
-/// @param conductance  of the wetting fluid, per throat [m3/(Pa s)]
 std::vector<PoreInvasion> next_invasions(const PoreNetwork& network, const TwoPhaseModel& model, const TwoPhaseState& state,
-                                         std::span<const double> conductance, const TwoPhaseTrial& trial);
+                                         const TwoPhaseTrial& trial);
 
 /// Pores fill in the order in which their pressures fell below the lowest they can have with gas (theory 6.4).
 struct FillingsWithinStep {
