@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "puadem/coupling/run.hpp"
 #include "puadem/coupling/two_phase_results.hpp"
@@ -195,8 +197,12 @@ TEST(TwoPhaseStage, RecordsAHainesJump) {
   while (first < jump.time.size() && std::isnan(jump.invaded_pressure[first])) ++first;
   ASSERT_LT(first + 1, jump.time.size());
   EXPECT_GT(first, 0u);
-  // The new bubble fills its pore as far as water leaves: it begins at the pressure of its body and catches up.
-  EXPECT_LT(jump.invaded_pressure[first], jump.retracting_pressure[first]);
+  // The new bubble fills its pore as far as water leaves: it begins at the pressure of its body, below what the pore beside it
+  // comes to, and catches up; the water that it pushes out lets the pore beside it fall back, although the bed drains.
+  const auto after = std::ranges::subrange(jump.retracting_pressure.begin() + static_cast<std::ptrdiff_t>(first),
+                                           jump.retracting_pressure.end());
+  EXPECT_LT(jump.invaded_pressure[first], std::ranges::max(after));
+  EXPECT_FALSE(std::ranges::is_sorted(after));
   EXPECT_GT(jump.invaded_pressure.back(), jump.invaded_pressure[first]);
   for (std::size_t k = 1; k < jump.time.size(); ++k) EXPECT_GT(jump.time[k], jump.time[k - 1]);
 }
