@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "puadem/base/compensated_sum.hpp"
 #include "puadem/coupling/capillary_forces.hpp"
